@@ -32,7 +32,7 @@ std::string ImageIdentity(const ViewSet& set, ViewId view) {
   const PinholeCamera& camera = set.views[view].camera;
   identity += "\nsize " + std::to_string(camera.width) + " " + std::to_string(camera.height);
   // An image that is shrunk first shows less.
-  if (file.scale > 1) identity += "\nread at " + Text(set.ReadSize(view));
+  if (set.views[view].scale > 1) identity += "\nread at " + Text(set.ReadSize(view));
   return identity;
 }
 
@@ -69,9 +69,9 @@ std::string ShrinkingNote(const ViewSet& set) {
 std::string EnlargingNote(const ViewSet& set) {
   int num_enlarged = 0;
   double largest = 1;
-  for (const ViewFile& file : set.files) {
-    num_enlarged += file.scale > 1;
-    largest = std::max(largest, file.scale);
+  for (const View& view : set.views) {
+    num_enlarged += view.scale > 1;
+    largest = std::max(largest, view.scale);
   }
   if (num_enlarged == 0) return "";
   char factor[40];

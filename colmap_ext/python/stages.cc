@@ -320,7 +320,7 @@ std::string EvaluateAsJson(std::shared_ptr<const SceneDrawing> drawing, const Op
   if (drawing) evaluator.input_path = kDrawingInMemory;
   if (drawing && drawing->scene) {
     const Scene& scene = drawing->scene->scene;
-    evaluator.views = InImagePixels(scene.view_set(), Moved(drawing->views, scene.origin()));
+    evaluator.views = InImagePixels(Moved(drawing->views, scene.origin()));
   }
   evaluator.Check();
   LibraryConsole console(evaluator.num_threads, monitor);

@@ -26,7 +26,7 @@ std::string PathOf(const Project& project, EdgeFormat format, const std::string&
 
 // An image that was used as if enlarged has the edges of its pixels.
 void ShrinkToImage(const Project& project, ViewId view, EdgeMap* edge_map) {
-  const double scale = project.view_set().files[view].scale;
+  const double scale = project.views()[view].scale;
   if (scale == 1) return;
   const ImageSize image = project.view_set().ReadSize(view);
   ResizeEdgeMap(image.width, image.height, edge_map);

@@ -134,7 +134,7 @@ void ToImagePixels(const ViewSet& set, RefinedCameras* cameras) {
     CameraChange& change = cameras->of_view[v];
     for (double* px : {&change.moved_px, &change.residual_px, &change.certain_by_px,
                        &change.skew_px, &change.skew_sigma_px}) {
-      *px /= set.files[v].scale;
+      *px /= set.views[v].scale;
     }
   }
   cameras->median_move_px /= set.TypicalScale();
@@ -142,8 +142,8 @@ void ToImagePixels(const ViewSet& set, RefinedCameras* cameras) {
 
 void ToImagePixels(const ViewSet& set, RowMotion* rows) {
   for (size_t v = 0; v < rows->of_view.size(); ++v) {
-    rows->of_view[v].px /= set.files[v].scale;
-    rows->of_view[v].sigma_px /= set.files[v].scale;
+    rows->of_view[v].px /= set.views[v].scale;
+    rows->of_view[v].sigma_px /= set.views[v].scale;
   }
   rows->skew_px /= set.TypicalScale();
 }

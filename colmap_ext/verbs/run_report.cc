@@ -156,8 +156,7 @@ void WritePageWithReport(const Project& project, const DrawingInScene& drawing,
   // Truth files are in the model's coordinates.
   const std::string report =
       RunReportJson(project, options, Moved(drawing.graph, project.origin()),
-                    InImagePixels(project.view_set(), Moved(drawing.views, project.origin())),
-                    trust, truth, *console);
+                    InImagePixels(Moved(drawing.views, project.origin())), trust, truth, *console);
   WriteViewerResult(project, options.layout.workspace_path, drawing, {}, report, std::nullopt,
                     console);
 }

@@ -26,7 +26,7 @@ Images ImagesOf(const ViewSet& set) {
     const std::string& name = set.ImageName(static_cast<ViewId>(v));
     if (v == 0 || images.names.back() != name) {
       images.names.push_back(name);
-      images.scales.push_back(set.files[v].scale);
+      images.scales.push_back(set.views[v].scale);
     }
     images.of_view.push_back(static_cast<int>(images.names.size()) - 1);
   }

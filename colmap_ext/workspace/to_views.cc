@@ -223,14 +223,16 @@ constexpr size_t kMaxMeasured = 12;
 // Of a view that is finer than its image: more would take gigabytes.
 constexpr double kMaxViewPixels = 24e6;
 
-// Decodes some of the images, in parallel.
-void SetScales(const SparseModel& model, const SelectedImages& used, const ViewOptions& options,
-               const PhotoStore& photos, const RunContext& context, std::vector<ViewFile>* files) {
-  if (options.max_scale == 1) return;
+// View::scale of each image. Decodes some of them, in parallel.
+std::vector<double> MeasureScales(const SparseModel& model, const SelectedImages& used,
+                                  const std::vector<ViewFile>& files, const ViewOptions& options,
+                                  const PhotoStore& photos, const RunContext& context) {
+  std::vector<double> scales(files.size(), 1);
+  if (options.max_scale == 1) return scales;
   std::map<std::tuple<uint32_t, int, int>, std::vector<size_t>> alike;
-  for (size_t i = 0; i < files->size(); ++i) {
+  for (size_t i = 0; i < files.size(); ++i) {
     const Camera& camera = model.CameraOf(model.images[used.images[i]]);
-    const ViewFile& file = (*files)[i];
+    const ViewFile& file = files[i];
     if (camera.IsPanorama()) continue;
     alike[{camera.id, file.stored_size.width, file.stored_size.height}].push_back(i);
   }
@@ -239,12 +241,12 @@ void SetScales(const SparseModel& model, const SelectedImages& used, const ViewO
     const size_t count = std::min(kMaxMeasured, of_camera.size());
     for (size_t k = 0; k < count; ++k) {
       const size_t i = of_camera[k * of_camera.size() / count];
-      if (!(*files)[i].is_damaged) measured.push_back(i);
+      if (!files[i].is_damaged) measured.push_back(i);
     }
   }
-  std::vector<std::optional<double>> blurs(files->size());
+  std::vector<std::optional<double>> blurs(files.size());
   ParallelFor(context, "sharpness of images", measured.size(), [&](size_t k) {
-    const ViewFile& file = (*files)[measured[k]];
+    const ViewFile& file = files[measured[k]];
     Image image = photos.Read(file.image_path, options.max_image_size);
     if (!file.mask_path.empty()) {
       image.mask = ReadMask(file.mask_path, file.stored_size, options.max_image_size);
@@ -257,12 +259,13 @@ void SetScales(const SparseModel& model, const SelectedImages& used, const ViewO
       if (blurs[i]) of_images.push_back(*blurs[i]);
     }
     if (of_images.empty()) continue;
-    const ImageSize stored = (*files)[of_camera[0]].stored_size;
+    const ImageSize stored = files[of_camera[0]].stored_size;
     const ImageSize read = ShrunkSize(stored, options.max_image_size);
     const double most = std::sqrt(kMaxViewPixels / static_cast<double>(read.NumPixels()));
     const double scale = ScaleOf(Median(std::move(of_images)), std::min(options.max_scale, most));
-    for (const size_t i : of_camera) (*files)[i].scale = scale;
+    for (const size_t i : of_camera) scales[i] = scale;
   }
+  return scales;
 }
 
 // Points that no image sees, though maybe in no part of a panorama, or far outside the scene.
@@ -348,13 +351,15 @@ std::vector<ViewSource> SourcesOf(const SparseModel& model, const std::vector<in
   return sources;
 }
 
-View MakeView(const SparseModel& model, int model_index, int part, const SharedOptics& optics) {
+View MakeView(const SparseModel& model, int model_index, int part, double scale,
+              const SharedOptics& optics) {
   const ModelImage& image = model.images[model_index];
   View view;
   view.model_index = model_index;
   view.name = image.name;
   view.camera_index = static_cast<int>(&model.CameraOf(image) - model.cameras.data());
   SetOptics(optics.optics, &view);
+  view.scale = scale;
   view.cam_from_world = image.cam_from_world;
   view.region = optics.region;
   if (!optics.window) return view;
@@ -375,10 +380,10 @@ void CheckDistinctNames(const std::vector<View>& views) {
   }
 }
 
-// Adds the views of these images, and their files.
+// Adds the views of these images, and their files; `scales` is View::scale of each image.
 void AddViews(const SparseModel& model, const std::vector<int>& images,
-              const std::vector<ViewFile>& files, const ViewOptions& options,
-              const RunContext& context, ViewSet* set) {
+              const std::vector<ViewFile>& files, const std::vector<double>& scales,
+              const ViewOptions& options, const RunContext& context, ViewSet* set) {
   const std::vector<ViewSource> sources = SourcesOf(model, images);
   std::map<OpticsKey, const Camera*> cameras;
   std::vector<OpticsKey> keys;
@@ -386,14 +391,14 @@ void AddViews(const SparseModel& model, const std::vector<int>& images,
     const Camera& camera = model.CameraOf(model.images[images[i]]);
     const ImageSize size = files[i].stored_size;
     CheckSizeFitsCamera(files[i].image_path, size, camera);
-    keys.emplace_back(camera.id, size.width, size.height, part, files[i].scale);
+    keys.emplace_back(camera.id, size.width, size.height, part, scales[i]);
     cameras[keys.back()] = &camera;
   }
   const std::map<OpticsKey, SharedOptics> optics = MakeAllOptics(cameras, options, context);
   for (size_t v = 0; v < sources.size(); ++v) {
     const auto& [i, part] = sources[v];
     const SharedOptics& of_view = optics.at(keys[v]);
-    set->views.push_back(MakeView(model, images[i], part, of_view));
+    set->views.push_back(MakeView(model, images[i], part, scales[i], of_view));
     set->files.push_back(files[i]);
     set->files.back().window = of_view.window;
     set->files.back().view_from_image = of_view.part_from_image;
@@ -408,8 +413,7 @@ void ApplyMasks(double margin_px, const RunContext& context, ViewSet* set) {
     View& view = set->views[i];
     const auto mask = ReadViewMask(*set, static_cast<ViewId>(i));
     if (mask.empty()) return;
-    view.region =
-        MakeImageRegion(view.camera, view.lens.get(), mask, set->files[i].scale * margin_px);
+    view.region = MakeImageRegion(view.camera, view.lens.get(), mask, view.scale * margin_px);
   });
   ReleaseDecoded(*set);
 }
@@ -442,9 +446,10 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   set.left_out = used.warnings;
   set.max_image_size = options.max_image_size;
   set.photos = photos;
-  std::vector<ViewFile> files = ReadFiles(model, used, options, photos, context, &set.warnings);
-  SetScales(model, used, options, photos, context, &files);
-  AddViews(model, used.images, files, options, context, &set);
+  const std::vector<ViewFile> files =
+      ReadFiles(model, used, options, photos, context, &set.warnings);
+  const std::vector<double> scales = MeasureScales(model, used, files, options, photos, context);
+  AddViews(model, used.images, files, scales, options, context, &set);
   ApplyMasks(options.border_margin_px, context, &set);
   set.hints = MakeHints(model, used.reach, set);
   AddWarnings(model, used, files, &set.warnings);

@@ -107,7 +107,7 @@ int ViewSet::MaxFileSize(ViewId view) const {
 
 double ViewSet::TypicalScale() const {
   std::vector<double> scales;
-  for (const ViewFile& file : files) scales.push_back(file.scale);
+  for (const View& view : views) scales.push_back(view.scale);
   return Median(std::move(scales));
 }
 
@@ -132,6 +132,7 @@ std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> view
     const Eigen::Array2d origin =
         window ? Eigen::Array2d(window->x, window->y) : Eigen::Array2d(Eigen::Array2d::Zero());
     views[v].name = file.image_name;
+    views[v].scale = 1;
     if (views[v].lens) {
       views[v].lens = std::make_shared<FileLens>(views[v].lens, stored / used, origin);
     } else {
@@ -141,8 +142,8 @@ std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> view
   return views;
 }
 
-std::vector<View> InImagePixels(const ViewSet& view_set, std::vector<View> views) {
-  for (size_t v = 0; v < views.size(); ++v) views[v] = Shrunk(views[v], view_set.files[v].scale);
+std::vector<View> InImagePixels(std::vector<View> views) {
+  for (View& view : views) view = Shrunk(view, view.scale);
   return views;
 }
 

@@ -25,8 +25,6 @@ struct ViewFile {
   std::string image_path;
   std::string mask_path;  // empty = no mask
   ImageSize stored_size;  // before max_image_size
-  // Pixels of the view per pixel of the image, after max_image_size.
-  double scale = 1;
   // As CheckJpeg says; then all of it is masked.
   bool is_damaged = false;
   // Of a part: where it is in the image, after max_image_size, and how it is turned in it.
@@ -80,7 +78,7 @@ int MaxSizeOfFile(bool is_panorama, int max_image_size);
 std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> views);
 
 // Views with pixels as large as those of the images that are read: for lengths in footprints.
-std::vector<View> InImagePixels(const ViewSet& view_set, std::vector<View> views);
+std::vector<View> InImagePixels(std::vector<View> views);
 
 // One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
 // pixels may be used. Throws IoError.

@@ -54,8 +54,8 @@ Landmark LandmarkOf(const LandmarkInput& input, const ControlGraph& control,
   landmark.ways << across, tangent.cross(across);
   landmark.ways *= std::max(control.footprint[from], control.footprint[to]);
   for (const EdgelPull& pull : sample.pulls) {
-    const EdgelLine line = {GrownPx(pull.line.position_px, input.factor),
-                            pull.line.across / input.factor};
+    const double factor = ViewPxPerPicturePx(input.views[pull.ref.view], input.factor);
+    const EdgelLine line = {GrownPx(pull.line.position_px, factor), pull.line.across / factor};
     landmark.lines.push_back(
         {pull.ref.view, line, weight * pull.weight, EdgelByParameters(input, pull)});
   }
@@ -94,8 +94,9 @@ ParameterRow EdgelByParameters(const LandmarkInput& input, const EdgelPull& pull
   const Edgel& edgel = input.curves[pull.ref.view].edge_map.edgels[pull.ref.edgel];
   const Eigen::Vector2d along =
       (edgel.stored_from_virtual.cast<double>() * edgel.Tangent()).normalized();
-  return ByParameters(input, view, GrownPx(edgel.position_px, input.factor),
-                      Eigen::RowVector2d(along.y(), -along.x()) / input.factor);
+  const double factor = ViewPxPerPicturePx(view, input.factor);
+  return ByParameters(input, view, GrownPx(edgel.position_px, factor),
+                      Eigen::RowVector2d(along.y(), -along.x()) / factor);
 }
 
 std::vector<Landmark> CurveLandmarks(const LandmarkInput& input, const ControlGraph& control,

@@ -13,7 +13,7 @@ namespace limn {
 struct LandmarkInput {
   const std::vector<View>& views;
   const std::vector<ImageCurves>& curves;  // through the lenses of the small pictures
-  int factor = 1;
+  int factor = 1;                          // PictureLevel::factor
   // Per camera whose parameters are adjusted (ParametersPerPx).
   const std::map<int, Eigen::VectorXd>& parameters_per_px;
   double robust_px = 0.5;  // of edgels

@@ -178,7 +178,8 @@ class CameraRounds {
   void MeasureResiduals() {
     std::vector<std::vector<double>> residuals(result_.of_view.size());
     ForPulls([&](EdgelPull* pull) {
-      residuals[pull->ref.view].push_back(input_.level.factor * std::abs(pull->residual_px));
+      const double factor = ViewPxPerPicturePx(scene_.views[pull->ref.view], input_.level.factor);
+      residuals[pull->ref.view].push_back(factor * std::abs(pull->residual_px));
     });
     for (size_t v = 0; v < residuals.size(); ++v) {
       result_.of_view[v].num_edgels = static_cast<int>(residuals[v].size());

@@ -70,9 +70,13 @@ CameraScene Scaled(CameraScene scene, double factor) {
   return scene;
 }
 
+double ViewPxPerPicturePx(const View& view, int factor) {
+  return factor == 1 ? 1 : factor * view.scale;
+}
+
 std::vector<View> ShrunkViews(const std::vector<View>& views, int factor) {
   std::vector<View> shrunk;
-  for (const View& view : views) shrunk.push_back(Shrunk(view, factor));
+  for (const View& view : views) shrunk.push_back(Shrunk(view, ViewPxPerPicturePx(view, factor)));
   return shrunk;
 }
 

@@ -42,12 +42,15 @@ SceneHints HintsOf(const CameraScene& scene, const SceneHints& given,
 // All lengths multiplied.
 CameraScene Scaled(CameraScene scene, double factor);
 
-// Pictures of the scene, smaller by a whole number, and the curves in them, stored pixels of the
-// small pictures.
+// Pictures of the scene, and the curves in them, their stored pixels: the views as they are, or the
+// photographs made smaller by a whole number.
 struct PictureLevel {
   int factor = 1;
   std::vector<ImageCurves> stored_curves;  // per view
 };
+
+// Pixels of a view per pixel of a picture of it.
+double ViewPxPerPicturePx(const View& view, int factor);
 
 // The views of small pictures, and their curves as these views see them.
 std::vector<View> ShrunkViews(const std::vector<View>& views, int factor);

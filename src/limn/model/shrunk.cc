@@ -1,10 +1,12 @@
 #include "limn/model/shrunk.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace limn {
 namespace {
+
+// Sizes that are whole numbers but for it keep their last pixel.
+constexpr double kRounding = 1e-6;
 
 class ShrunkLens : public LensMap {
  public:
@@ -27,8 +29,9 @@ class ShrunkLens : public LensMap {
   double factor_;
 };
 
-// The mean of blocks.
-Image MeanOfBlocks(const Image& image, int factor) {
+}  // namespace
+
+Image Shrunk(const Image& image, int factor) {
   if (factor == 1) return image;
   Image shrunk;
   shrunk.width = image.width / factor;
@@ -53,11 +56,10 @@ Image MeanOfBlocks(const Image& image, int factor) {
   return shrunk;
 }
 
-}  // namespace
-
 View Shrunk(const View& view, double factor) {
   View shrunk = view;
   shrunk.calibration = nullptr;
+  shrunk.scale /= factor;
   if (factor == 1) return shrunk;
   PinholeCamera& camera = shrunk.camera;
   camera.fx /= factor;
@@ -65,20 +67,13 @@ View Shrunk(const View& view, double factor) {
   const Eigen::Vector2d center = ShrunkPx({camera.cx, camera.cy}, factor);
   camera.cx = center.x();
   camera.cy = center.y();
-  camera.width = static_cast<int>(camera.width / factor);
-  camera.height = static_cast<int>(camera.height / factor);
+  camera.width = static_cast<int>(camera.width / factor + kRounding);
+  camera.height = static_cast<int>(camera.height / factor + kRounding);
   ImageRegion& region = shrunk.region;
   region.min_px = ShrunkPx(region.min_px, factor);
   region.max_px = ShrunkPx(region.max_px, factor);
   region.cell_px /= factor;
   if (shrunk.lens) shrunk.lens = std::make_shared<ShrunkLens>(std::move(shrunk.lens), factor);
-  return shrunk;
-}
-
-Image Shrunk(const Image& image, int factor) {
-  const int block = std::max(1, static_cast<int>(factor / image.scale.mean() + 1e-6));
-  Image shrunk = MeanOfBlocks(image, block);
-  shrunk.scale = image.scale * block / factor;
   return shrunk;
 }
 

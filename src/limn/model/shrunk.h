@@ -5,13 +5,13 @@
 
 namespace limn {
 
-// A view with pixels `factor` times as large: that of a photograph that Shrunk has made smaller by
-// the same whole number. Its optics do not change: it has no calibration.
+// A view with pixels `factor` times as large. Its optics do not change: it has no calibration.
 View Shrunk(const View& view, double factor);
 
-// The photograph of the shrunk view. Of one with no more pixels than its view, the mean of blocks
-// of factor x factor pixels; rows and columns that do not fill one are dropped. A block with a
-// masked pixel is masked. Of others, of smaller blocks. Precondition: the image has a block.
+// The mean of blocks of factor x factor pixels; rows and columns that do not fill one are dropped.
+// A block with a masked pixel is masked. The view of the image has the pixels of the result if it
+// is shrunk by factor * View::scale, but for the rounding of its size. Precondition: the image has
+// a block.
 Image Shrunk(const Image& image, int factor);
 
 // Pixels of a shrunk image in the image itself, and back.

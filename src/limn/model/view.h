@@ -45,6 +45,9 @@ struct View {
   // Views with the same number were taken by one camera and share its optics.
   int camera_index = 0;
   PinholeCamera camera;
+  // Pixels of the camera per pixel of the photograph (Image::scale), the same in both directions
+  // but for the rounding of its size.
+  double scale = 1;
   Rigid3d cam_from_world;
   ImageRegion region;
   // Null if the stored image is a pinhole image.

@@ -60,6 +60,10 @@ UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<Image
     draw_and_refine(&again);
     if (refiner.HaveMoved()) scene = std::move(again);
   }
+  if (had_moved && !refiner.HaveMoved()) {
+    scene = {refiner.CurvesSeenBy(input.views), {}, std::nullopt};
+    scene.drawn = Draw(input, scene.curves, options, context, on_stage_end);
+  }
   TakeCameras(refiner, &scene);
   scene.rows = refiner.Rows();
   return scene;

@@ -56,8 +56,8 @@ int FactorOf(const std::vector<View>& views, int least_side_px) {
   int shortest_px = std::numeric_limits<int>::max();
   for (const View& view : views) {
     const auto [shorter, longer] = std::minmax(view.camera.width, view.camera.height);
-    longest_px = std::max(longest_px, longer);
-    shortest_px = std::min(shortest_px, shorter);
+    longest_px = std::max(longest_px, static_cast<int>(std::lround(longer / view.scale)));
+    shortest_px = std::min(shortest_px, static_cast<int>(std::lround(shorter / view.scale)));
   }
   int factor = 1;
   while (2 * factor * least_side_px <= longest_px && 2 * factor * kLeastPx <= shortest_px) {
@@ -79,12 +79,23 @@ double SeenPx(const DrawingGraph& graph, const std::vector<View>& views) {
 }
 
 // Whether a drawing that shows so much of the images says something about their cameras.
-bool IsEnough(double seen_px, const PictureLevel& level) {
-  size_t num_edgels = 0;
-  for (const ImageCurves& curves : level.stored_curves) {
-    for (const CurveFragment& fragment : curves.fragments) num_edgels += fragment.edgel_ids.size();
+bool IsEnough(double seen_px, const PictureLevel& level, const std::vector<View>& views) {
+  double curves_px = 0;
+  for (size_t v = 0; v < views.size(); ++v) {
+    size_t num_edgels = 0;
+    for (const CurveFragment& fragment : level.stored_curves[v].fragments) {
+      num_edgels += fragment.edgel_ids.size();
+    }
+    curves_px += ViewPxPerPicturePx(views[v], level.factor) * static_cast<double>(num_edgels);
   }
-  return seen_px > kLeastShown * level.factor * static_cast<double>(num_edgels);
+  return seen_px > kLeastShown * curves_px;
+}
+
+// Mean over the views.
+double MeanViewPxPerPicturePx(const std::vector<View>& views, int factor) {
+  double sum = 0;
+  for (const View& view : views) sum += ViewPxPerPicturePx(view, factor);
+  return sum / static_cast<double>(views.size());
 }
 
 }  // namespace
@@ -119,7 +130,8 @@ void CameraRefiner::LookAtSmallPictures() {
   }
   Settle(first);
   const double seen_px = SeenPx(graph_, scene_.views);
-  if (seen_px < kLeastSeen * look.seen_px || !IsEnough(seen_px, first)) return ReturnToGiven();
+  const bool shows_more = seen_px >= kLeastSeen * look.seen_px;
+  if (!shows_more || !IsEnough(seen_px, first, scene_.views)) return ReturnToGiven();
   for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
   RefineAsStored({graph_, stored_, kStoredReaches, kOnce});
 }
@@ -128,11 +140,12 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   graph_ = graph;
   const double seen_px = SeenPx(graph, scene_.views);
   if (have_moved_) {
-    if (graph.links.empty() || seen_px < kLeastSeen * given_px_) return ReturnToGiven();
+    const bool shows_more = seen_px >= kLeastSeen * given_px_;
+    if (!shows_more || !IsEnough(seen_px, stored_, scene_.views)) return ReturnToGiven();
     return RefineAsStored({graph, stored_, kLastReaches, kTwice, true});
   }
   given_px_ = seen_px;
-  if (!IsEnough(seen_px, stored_)) return;
+  if (!IsEnough(seen_px, stored_, scene_.views)) return;
   if (options_.refine_cameras == CameraRefinement::kAuto) {
     const CameraRoundsResult check = Refine({graph, stored_, kCheckReaches, kOnce, true});
     ReturnToGiven();
@@ -206,7 +219,8 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
   const double seen_px = SeenPx(graph_, before);
   const CameraRoundsResult rounds = Refine({graph_, level, reaches});
   const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene(), held_);
-  return {AreOff(rounds), gauge.typical_move_px / level.factor, seen_px};
+  return {AreOff(rounds), gauge.typical_move_px / MeanViewPxPerPicturePx(before, level.factor),
+          seen_px};
 }
 
 // By the first of the rounds.

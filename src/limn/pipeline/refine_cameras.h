@@ -65,8 +65,8 @@ class CameraRefiner {
   CameraRefiner(const CameraRefinementInput& input, const std::vector<ImageCurves>& curves,
                 const PipelineOptions& options, const RunContext& context);
 
-  // Draws small pictures; the pictures as stored are fitted along the last drawing of half their
-  // size. Nothing moves unless the first drawing says that cameras are off
+  // Draws small pictures; the pictures as stored are fitted along the drawing of the photographs at
+  // half their size. Nothing moves unless the first drawing says that cameras are off
   // (algorithm/cameras.md#whether-it-is-needed); nor if less is drawn then. Throws OptionError,
   // what the images throw, and Cancelled. Time: a large part of that of a drawing; a small one if
   // it stops after the first look.

@@ -318,7 +318,7 @@ TEST_F(ToViewsTest, SharpImagesHaveFinerViews) {
   options_.max_scale = 1.5;
   const ViewSet set = Views();
   const View& view = set.views[1];
-  EXPECT_EQ(set.files[1].scale, 1.5);
+  EXPECT_EQ(set.views[1].scale, 1.5);
   EXPECT_EQ(view.camera.width, 1200);
   EXPECT_EQ(view.camera.height, 900);
   EXPECT_DOUBLE_EQ(view.camera.fx, 1.5 * 503);
@@ -387,7 +387,7 @@ TEST_F(ToViewsTest, ErrorsOfPointsDoNotGrowWithTheView) {
   }
   options_.max_scale = 1.5;
   const ViewSet set = Views();
-  ASSERT_EQ(set.files[1].scale, 1.5);
+  ASSERT_EQ(set.views[1].scale, 1.5);
   EXPECT_THAT(set.warnings, Not(Contains(HasSubstr("points of the sparse model miss"))));
 }
 

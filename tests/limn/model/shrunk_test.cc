@@ -40,20 +40,25 @@ TEST(Shrunk, TheViewSeesTheSamePlacesInTheSmallPicture) {
   EXPECT_EQ(small.Project({1.3, 0, 2}).has_value(), view.Project({1.3, 0, 2}).has_value());
 }
 
-// Of a photograph with fewer pixels than its view, blocks are smaller: places stay.
+// Places stay, and a small picture has the pixels of its small photograph.
 TEST(Shrunk, PhotographsOfFinerViews) {
-  Image image = {12, 12, 1, std::vector<float>(144, 1), {}};
+  Image image = {12, 14, 1, std::vector<float>(168, 1), {}};
   image.scale.setConstant(1.5);
-  const Image half = Shrunk(image, 2);
-  EXPECT_EQ(half.width, 12);
-  EXPECT_EQ(half.ViewWidth(), 9);
-  const Eigen::Vector2d in_view(4.2, 7);
-  EXPECT_LT((half.FromView(ShrunkPx(in_view, 2)) - image.FromView(in_view)).norm(), 1e-12);
-  const Image quarter = Shrunk(image, 4);
-  EXPECT_EQ(quarter.width, 6);
-  EXPECT_EQ(quarter.ViewWidth(), 4);
-  EXPECT_LT((quarter.FromView(ShrunkPx(in_view, 4)) - ShrunkPx(image.FromView(in_view), 2)).norm(),
-            1e-12);
+  View view;
+  view.scale = 1.5;
+  view.camera = {100, 100, 8.5, 10, image.ViewWidth(), image.ViewHeight()};
+  for (const int factor : {2, 4}) {
+    const Image small = Shrunk(image, factor);
+    const View of_small = Shrunk(view, factor * view.scale);
+    EXPECT_EQ(small.width, 12 / factor);
+    EXPECT_EQ(small.height, 14 / factor);
+    EXPECT_EQ(of_small.camera.width, small.ViewWidth());
+    EXPECT_EQ(of_small.camera.height, small.ViewHeight());
+    EXPECT_DOUBLE_EQ(of_small.scale, 1.0 / factor);
+    const Eigen::Vector2d in_view(4.2, 7);
+    const Eigen::Vector2d in_small = ShrunkPx(in_view, factor * view.scale);
+    EXPECT_LT((small.FromView(in_small) - ShrunkPx(image.FromView(in_view), factor)).norm(), 1e-12);
+  }
 }
 
 }  // namespace
