@@ -46,7 +46,9 @@ void FitAgain(const EndConditions& ends, bool closed, const PrimitiveOptions& op
         end == 0 ? points[1] - points[0] : points[points.size() - 2] - points.back();
     if (!(leg.dot(*ends[end].direction) > 0)) return;
   }
-  FittedShape again = Judge(spline, NumParameters(spline, ends, closed), fit->samples, options);
+  const int num_parameters =
+      NumParameters(static_cast<int>(spline.control_points.size()), ends, closed);
+  FittedShape again = Judge(spline, num_parameters, fit->samples, options);
   if (again.max_px <= std::max(options.max_residual_px, fit->fitted->max_px)) {
     fit->fitted = std::move(again);
   }

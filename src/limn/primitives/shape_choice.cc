@@ -51,6 +51,10 @@ std::vector<double> MoreKnots(const std::vector<double>& knots,
   return more;
 }
 
+double NumIndependent(const LinkSamples& link) {
+  return std::max(link.length_px / kCurveCorrelationPx, 2.0);
+}
+
 // Fewer parameters first: a later one must be better.
 bool IsBetter(const FittedShape& a, const FittedShape& b, double tolerance) {
   const bool a_explains = a.max_px <= tolerance;
@@ -59,25 +63,50 @@ bool IsBetter(const FittedShape& a, const FittedShape& b, double tolerance) {
   return a_explains ? a.criterion < b.criterion : a.max_px < b.max_px;
 }
 
-FittedShape BestSpline(const LinkSamples& link, const EndConditions& ends, bool closed,
-                       const PrimitiveOptions& options) {
+// The best shape so far.
+class ShapeContest {
+ public:
+  ShapeContest(const LinkSamples& link, const PrimitiveOptions& options)
+      : link_(link), options_(options) {}
+
+  // Whether a shape with so many parameters could be the best, if it fitted exactly. One with more
+  // could not if this one cannot.
+  bool CanWin(int num_parameters) const {
+    return !best_ || best_->max_px > options_.max_residual_px ||
+           num_parameters * std::log(NumIndependent(link_)) < best_->criterion;
+  }
+
+  // Returns whether it is the best.
+  bool Enter(const CurveShape& shape, int num_parameters) {
+    FittedShape fitted = Judge(shape, num_parameters, link_, options_);
+    if (best_ && !IsBetter(fitted, *best_, options_.max_residual_px)) return false;
+    best_ = std::move(fitted);
+    return true;
+  }
+
+  const FittedShape& best() const { return *best_; }
+
+ private:
+  const LinkSamples& link_;
+  const PrimitiveOptions& options_;
+  std::optional<FittedShape> best_;
+};
+
+void EnterSplines(const LinkSamples& link, const EndConditions& ends, bool closed,
+                  const PrimitiveOptions& options, ShapeContest* contest) {
   // Stop after this many steps without improvement.
   constexpr int kPatience = 2;
   std::vector<double> knots = UniformKnots(closed ? kFirstClosedSpans : 1);
-  std::optional<FittedShape> best;
+  ShapeContest splines(link, options);
   for (int worse = 0; !knots.empty() && worse < kPatience;) {
+    const int num_parameters = NumParameters(static_cast<int>(knots.size()) - 4, ends, closed);
+    if (!contest->CanWin(num_parameters) || !splines.CanWin(num_parameters)) return;
     const CubicBSpline spline = FitSpline(link, ends, closed, knots);
-    FittedShape fitted = Judge(spline, NumParameters(spline, ends, closed), link, options);
-    if (!best || IsBetter(fitted, *best, options.max_residual_px)) {
-      best = std::move(fitted);
-      worse = 0;
-    } else {
-      ++worse;
-    }
-    if (knots.size() > kMaxSpans + 7) break;
+    contest->Enter(spline, num_parameters);
+    worse = splines.Enter(spline, num_parameters) ? 0 : worse + 1;
+    if (knots.size() > kMaxSpans + 7) return;
     knots = MoreKnots(knots, DeviationsPx(spline, link), link, options.max_residual_px);
   }
-  return *best;
 }
 
 }  // namespace
@@ -86,15 +115,14 @@ FittedShape Judge(const CurveShape& shape, int num_parameters, const LinkSamples
                   const PrimitiveOptions& options) {
   const ShapeResidual residual = ResidualOf(shape, link);
   FittedShape fitted = {shape, residual.RmsPx(), residual.max_px};
-  const double num_independent = std::max(link.length_px / kCurveCorrelationPx, 2.0);
+  const double num_independent = NumIndependent(link);
   fitted.criterion =
       num_independent * residual.mean_square / (options.noise_px * options.noise_px) +
       num_parameters * std::log(num_independent);
   return fitted;
 }
 
-int NumParameters(const CubicBSpline& spline, const EndConditions& ends, bool closed) {
-  const int num_points = static_cast<int>(spline.control_points.size());
+int NumParameters(int num_points, const EndConditions& ends, bool closed) {
   int count = 3 * num_points + (num_points - 4) - (closed ? 3 : 0);
   for (const int end : {0, 1}) {
     // Both ends of a closed one are the same.
@@ -106,25 +134,20 @@ int NumParameters(const CubicBSpline& spline, const EndConditions& ends, bool cl
 
 FittedShape ChooseShape(const LinkSamples& link, const EndConditions& ends, bool closed,
                         const PrimitiveOptions& options) {
-  std::vector<FittedShape> candidates;
+  ShapeContest contest(link, options);
   if (closed) {
     const bool held = ends[0].held;
-    if (const auto circle = FitCircle(link, held)) {
-      candidates.push_back(Judge(*circle, held ? 4 : 6, link, options));
-    }
+    if (const auto circle = FitCircle(link, held)) contest.Enter(*circle, held ? 4 : 6);
   } else {
     const int num_free = 3 * (!ends[0].held + !ends[1].held);
     const LineSegment line = FitLine(link, ends);
-    if (ValidateShape(line).empty()) candidates.push_back(Judge(line, num_free, link, options));
-    if (const auto arc = FitArc(link, ends)) {
-      candidates.push_back(Judge(*arc, num_free + 2, link, options));
+    if (ValidateShape(line).empty()) contest.Enter(line, num_free);
+    if (contest.CanWin(num_free + 2)) {
+      if (const auto arc = FitArc(link, ends)) contest.Enter(*arc, num_free + 2);
     }
   }
-  candidates.push_back(BestSpline(link, ends, closed, options));
-  return *std::min_element(candidates.begin(), candidates.end(),
-                           [&](const FittedShape& a, const FittedShape& b) {
-                             return IsBetter(a, b, options.max_residual_px);
-                           });
+  EnterSplines(link, ends, closed, options, &contest);
+  return contest.best();
 }
 
 }  // namespace limn

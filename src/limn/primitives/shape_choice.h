@@ -23,7 +23,7 @@ FittedShape ChooseShape(const LinkSamples& link, const EndConditions& ends, bool
 FittedShape Judge(const CurveShape& shape, int num_parameters, const LinkSamples& link,
                   const PrimitiveOptions& options);
 
-// Number of free parameters of a spline with these ends.
-int NumParameters(const CubicBSpline& spline, const EndConditions& ends, bool closed);
+// Number of free parameters of a spline with so many control points and these ends.
+int NumParameters(int num_points, const EndConditions& ends, bool closed);
 
 }  // namespace limn
