@@ -132,11 +132,11 @@ std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> view
     const Eigen::Array2d origin =
         window ? Eigen::Array2d(window->x, window->y) : Eigen::Array2d(Eigen::Array2d::Zero());
     views[v].name = file.image_name;
-    views[v].scale = 1;
     if (views[v].lens) {
       views[v].lens = std::make_shared<FileLens>(views[v].lens, stored / used, origin);
     } else {
       views[v] = Resized(std::move(views[v]), stored / used);
+      views[v].scale = 1;
     }
   }
   return views;
@@ -151,6 +151,9 @@ namespace {
 
 // Of the image of the view.
 std::vector<unsigned char> ReadImageMask(const ViewSet& view_set, ViewId view) {
+  if (view_set.files[view].is_damaged) {
+    return std::vector<unsigned char>(view_set.ReadSize(view).NumPixels(), 0);
+  }
   const std::string& path = view_set.files[view].mask_path;
   if (path.empty()) return {};
   const auto decode = [&] {
@@ -167,7 +170,6 @@ std::vector<unsigned char> ReadImageMask(const ViewSet& view_set, ViewId view) {
 std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
   const PinholeCamera& camera = view_set.views[view].camera;
   const size_t size = static_cast<size_t>(camera.width) * camera.height;
-  if (view_set.files[view].is_damaged) return std::vector<unsigned char>(size, 0);
   std::vector<unsigned char> mask = ReadImageMask(view_set, view);
   if (mask.empty() || mask.size() == size) return mask;
   const ImageSize image = view_set.ReadSize(view);
@@ -184,13 +186,10 @@ std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
 
 Image ReadViewImage(const ViewSet& view_set, ViewId view) {
   const PinholeCamera& camera = view_set.views[view].camera;
-  if (view_set.files[view].is_damaged) {
-    Image image = BlackImage(camera.width, camera.height);
-    image.mask = ReadViewMask(view_set, view);
-    return image;
-  }
-  Image image = ReadPixels(view_set, view);
   const ImageSize expected = view_set.ReadSize(view);
+  const bool is_damaged = view_set.files[view].is_damaged;
+  Image image =
+      is_damaged ? BlackImage(expected.width, expected.height) : ReadPixels(view_set, view);
   if (image.width != expected.width || image.height != expected.height) {
     throw IoError(view_set.files[view].image_path,
                   "the image changed its size while Limn was running");

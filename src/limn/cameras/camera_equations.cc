@@ -12,7 +12,7 @@ namespace limn {
 namespace {
 
 // Standard deviations of what is held, px in the images; of bodies, which may be lost, as long as
-// they move little (CostOfHold).
+// they move little (CostOfHold), px of the photographs.
 constexpr double kBodySigmaPx = 5;
 constexpr double kOpticsSigmaPx = 10;
 constexpr double kLandmarkSigmaPx = 50;
@@ -84,9 +84,10 @@ CameraEquations::CameraEquations(const CameraFitInput& input, const RunContext& 
   per_sigma_.resize(body_at_.size());
   for (size_t v = 0; v < input.views.size(); ++v) {
     const int body = input.mounts.of_view[v].body;
-    const double focal = input.views[v].camera.MeanFocal();
-    per_sigma_[body] << Eigen::Vector3d::Constant(focal / kBodySigmaPx),
-        Eigen::Vector3d::Constant(focal / kBodySigmaPx / input.distances[body]);
+    const View& view = input.views[v];
+    const double per_sigma = view.camera.MeanFocal() / view.scale / kBodySigmaPx;
+    per_sigma_[body] << Eigen::Vector3d::Constant(per_sigma),
+        Eigen::Vector3d::Constant(per_sigma / input.distances[body]);
   }
 }
 

@@ -17,6 +17,7 @@ namespace {
 
 // Edgels of a curve err together: so many of them, one next to the other, count as one.
 constexpr double kEdgelsPerPoint = 10;
+// Points are as exact as the photographs: pixels of these.
 constexpr double kPointSigmaPx = 0.5;
 constexpr double kPointRobustPx = 1;
 // Some ray to a point must differ from the mean ray by this angle.
@@ -69,10 +70,11 @@ void AddPixel(const LandmarkInput& input, const SeenPoint::Sight& sight,
   const auto pixel = ThroughLens(view.lens.get(), sight.stored_px);
   if (!pixel) return;
   for (const int axis : {0, 1}) {
-    lines->push_back(
-        {sight.view, EdgelLine(pixel->virtual_px, pixel->stored_from_virtual.row(axis).transpose()),
-         1 / (kPointSigmaPx * kPointSigmaPx),
-         ByParameters(input, view, pixel->virtual_px, Eigen::RowVector2d::Unit(axis))});
+    const Eigen::RowVector2d across = Eigen::RowVector2d::Unit(axis) / view.scale;
+    const Eigen::Vector2d of_virtual = (across * pixel->stored_from_virtual).transpose();
+    lines->push_back({sight.view, EdgelLine(pixel->virtual_px, of_virtual),
+                      1 / (kPointSigmaPx * kPointSigmaPx),
+                      ByParameters(input, view, pixel->virtual_px, across)});
   }
 }
 

@@ -49,7 +49,8 @@ struct PictureLevel {
   std::vector<ImageCurves> stored_curves;  // per view
 };
 
-// Pixels of a view per pixel of a picture of it.
+// Pixels of a view per pixel of a picture of it: 1 for the views as they are, View::scale times the
+// factor for smaller photographs.
 double ViewPxPerPicturePx(const View& view, int factor);
 
 // The views of small pictures, and their curves as these views see them.

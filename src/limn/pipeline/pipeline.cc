@@ -61,7 +61,8 @@ UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<Image
     if (refiner.HaveMoved()) scene = std::move(again);
   }
   if (had_moved && !refiner.HaveMoved()) {
-    scene = {refiner.CurvesSeenBy(input.views), {}, std::nullopt};
+    // As first extracted, which the cache keeps.
+    scene = {ExtractAll(input, options, context, on_stage_end), {}, std::nullopt};
     scene.drawn = Draw(input, scene.curves, options, context, on_stage_end);
   }
   TakeCameras(refiner, &scene);

@@ -11,7 +11,7 @@ struct UnrefinedScene {
   std::vector<ImageCurves> curves;  // as the refined cameras, if there are any, see them
   DrawnCurves drawn;
   std::optional<RefinedCameras> cameras;
-  RowMotion rows = {};  // CameraRefiner::Rows; of no view if cameras were not looked at
+  RowMotion rows = {};  // CameraRefiner::Rows; of no view if nothing was measured
 };
 
 // DrawScene up to the refinement of the drawing: the part that the processes of the context's team

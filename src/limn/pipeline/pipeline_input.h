@@ -54,7 +54,7 @@ struct PipelineResult {
   SampleFates sample_fates;
   // Of a drawing that was brought up to date, the views that are new or changed.
   ViewSubset new_views = std::nullopt;
-  RowMotion rows = {};  // CameraRefiner::Rows; of no view if cameras were not looked at
+  RowMotion rows = {};  // CameraRefiner::Rows; of no view if nothing was measured
   std::optional<FitToGiven> fit_to_given = std::nullopt;
   // Stores the drawing for updates. Call it once all results are written, so that an interrupted
   // run does not count as done.

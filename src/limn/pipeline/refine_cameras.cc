@@ -130,8 +130,8 @@ void CameraRefiner::LookAtSmallPictures() {
   }
   Settle(first);
   const double seen_px = SeenPx(graph_, scene_.views);
-  const bool shows_more = seen_px >= kLeastSeen * look.seen_px;
-  if (!shows_more || !IsEnough(seen_px, first, scene_.views)) return ReturnToGiven();
+  const bool shows_as_much = seen_px >= kLeastSeen * look.seen_px;
+  if (!shows_as_much || !IsEnough(seen_px, first, scene_.views)) return ReturnToGiven();
   for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
   RefineAsStored({graph_, stored_, kStoredReaches, kOnce});
 }
@@ -140,8 +140,8 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   graph_ = graph;
   const double seen_px = SeenPx(graph, scene_.views);
   if (have_moved_) {
-    const bool shows_more = seen_px >= kLeastSeen * given_px_;
-    if (!shows_more || !IsEnough(seen_px, stored_, scene_.views)) return ReturnToGiven();
+    const bool shows_as_much = seen_px >= kLeastSeen * given_px_;
+    if (!shows_as_much || !IsEnough(seen_px, stored_, scene_.views)) return ReturnToGiven();
     return RefineAsStored({graph, stored_, kLastReaches, kTwice, true});
   }
   given_px_ = seen_px;

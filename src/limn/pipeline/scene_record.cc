@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kRecordName = "drawing";
 // To be incremented when the drawing of the same input changes.
-constexpr int kRecordVersion = 2;
+constexpr int kRecordVersion = 3;
 
 DrawingMetadata NamesIn(const SceneRecord& record) {
   DrawingMetadata metadata;

@@ -76,9 +76,12 @@ class ShapeContest {
            num_parameters * std::log(NumIndependent(link_)) < best_->criterion;
   }
 
+  void Enter(const CurveShape& shape, int num_parameters) {
+    Enter(Judge(shape, num_parameters, link_, options_));
+  }
+
   // Returns whether it is the best.
-  bool Enter(const CurveShape& shape, int num_parameters) {
-    FittedShape fitted = Judge(shape, num_parameters, link_, options_);
+  bool Enter(FittedShape fitted) {
     if (best_ && !IsBetter(fitted, *best_, options_.max_residual_px)) return false;
     best_ = std::move(fitted);
     return true;
@@ -100,10 +103,11 @@ void EnterSplines(const LinkSamples& link, const EndConditions& ends, bool close
   ShapeContest splines(link, options);
   for (int worse = 0; !knots.empty() && worse < kPatience;) {
     const int num_parameters = NumParameters(static_cast<int>(knots.size()) - 4, ends, closed);
-    if (!contest->CanWin(num_parameters) || !splines.CanWin(num_parameters)) return;
+    if (!contest->CanWin(num_parameters)) return;
     const CubicBSpline spline = FitSpline(link, ends, closed, knots);
-    contest->Enter(spline, num_parameters);
-    worse = splines.Enter(spline, num_parameters) ? 0 : worse + 1;
+    FittedShape fitted = Judge(spline, num_parameters, link, options);
+    contest->Enter(fitted);
+    worse = splines.Enter(std::move(fitted)) ? 0 : worse + 1;
     if (knots.size() > kMaxSpans + 7) return;
     knots = MoreKnots(knots, DeviationsPx(spline, link), link, options.max_residual_px);
   }

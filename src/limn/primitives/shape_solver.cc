@@ -4,6 +4,7 @@ namespace limn {
 
 void SolveShape(ceres::Problem* problem, int max_iterations) {
   ceres::Solver::Options options;
+  // Fast; where it fails, the next step is damped more.
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = max_iterations;
   options.num_threads = 1;
