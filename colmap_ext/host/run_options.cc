@@ -33,8 +33,9 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
   parser->AddOption(
       "quality", &options->quality,
       {{"low", Quality::kLow}, {"medium", Quality::kMedium}, {"high", Quality::kHigh}},
-      BasicOption("how fine to draw: low for a first look, medium, high for all that the images "
-                  "resolve; sets defaults of other options"));
+      BasicOption(
+          "how fine to draw: low for a first look, high for finer detail; sets the defaults "
+          "of other options"));
   if (groups.overwrites) {
     parser->AddOption(
         "overwrite", &options->overwrite,

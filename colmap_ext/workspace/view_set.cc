@@ -57,12 +57,12 @@ View Resized(View view, const Eigen::Array2d& scale) {
   return view;
 }
 
-Image BlackImage(int width, int height) {
+Image BlackImage(const ImageSize& size) {
   Image image;
-  image.width = width;
-  image.height = height;
+  image.width = size.width;
+  image.height = size.height;
   image.channels = 1;
-  image.data.assign(static_cast<size_t>(width) * height, 0);
+  image.data.assign(size.NumPixels(), 0);
   return image;
 }
 
@@ -81,6 +81,7 @@ Image Cut(const Image& image, const ImageWindow& window) {
 }
 
 Image ReadPixels(const ViewSet& set, ViewId view) {
+  if (set.files[view].is_damaged) return BlackImage(set.ReadSize(view));
   const std::string& path = set.files[view].image_path;
   const auto decode = [&] { return set.photos.Read(path, set.MaxFileSize(view)); };
   const ImageWindow* window = set.Window(view);
@@ -186,10 +187,8 @@ std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
 
 Image ReadViewImage(const ViewSet& view_set, ViewId view) {
   const PinholeCamera& camera = view_set.views[view].camera;
+  Image image = ReadPixels(view_set, view);
   const ImageSize expected = view_set.ReadSize(view);
-  const bool is_damaged = view_set.files[view].is_damaged;
-  Image image =
-      is_damaged ? BlackImage(expected.width, expected.height) : ReadPixels(view_set, view);
   if (image.width != expected.width || image.height != expected.height) {
     throw IoError(view_set.files[view].image_path,
                   "the image changed its size while Limn was running");

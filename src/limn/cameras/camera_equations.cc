@@ -11,8 +11,8 @@
 namespace limn {
 namespace {
 
-// Standard deviations of what is held, px in the images; of bodies, which may be lost, as long as
-// they move little (CostOfHold), px of the photographs.
+// Standard deviations of what is held, px in the images, those of bodies px of the photographs.
+// Bodies may be lost: theirs holds as long as they move little (CostOfHold).
 constexpr double kBodySigmaPx = 5;
 constexpr double kOpticsSigmaPx = 10;
 constexpr double kLandmarkSigmaPx = 50;

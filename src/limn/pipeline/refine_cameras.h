@@ -75,8 +75,7 @@ class CameraRefiner {
   // By an unrefined drawing of the pictures as stored, made with the cameras as they are now. As
   // long as nothing has moved, kAuto moves nothing unless the edgels along the drawing say that
   // cameras are off, by the same rule, or contradict their optics. Cameras that have moved since
-  // such a drawing return to the given ones if this one shows less, or little of
-  // the images.
+  // such a drawing return to the given ones if this one shows less, or little of the images.
   void RefineByDrawing(const DrawingGraph& graph);
 
   bool HaveMoved() const { return have_moved_; }
