@@ -19,7 +19,6 @@ using testing::AddNoise;
 using testing::ConstantImage;
 using testing::Disc;
 using testing::HalfPlane;
-using testing::Intersection;
 using testing::Paint;
 using testing::Polygon;
 using testing::Quantize;
@@ -459,50 +458,6 @@ TEST(DetectEdges, BadInput) {
   image = ConstantImage(8, 8, {1, 2});
   EXPECT_THROW(DetectEdges(image, {}), InputError);
   EXPECT_THROW(DetectEdges(Image(), {}), InputError);
-}
-
-// A bright bar across the image, by its width and the direction across it.
-Image BarImage(int size, double width_px, const Vector2d& across) {
-  Image image = ConstantImage(size, size, {60});
-  const Vector2d center = Vector2d::Constant(0.5 * size - 0.3);
-  const Vector2d half = 0.5 * width_px * across;
-  Paint(Intersection(HalfPlane(center - half, across), HalfPlane(center + half, -across)), {160},
-        &image);
-  AddNoise(2, 5, &image);
-  Quantize(&image);
-  return image;
-}
-
-// RMS distance of the edgels near a bar from its nearer edge, px of the image.
-double BarError(const Image& image, double width_px, const Vector2d& across) {
-  const Vector2d center = Vector2d::Constant(0.5 * image.width - 0.3);
-  double sum = 0;
-  int count = 0;
-  for (const Edgel& edgel : DetectEdges(image, {}).edgels) {
-    const Vector2d offset = image.FromView(edgel.position_px) - center;
-    const double distance = std::abs(std::abs(offset.dot(across)) - 0.5 * width_px);
-    if (offset.norm() > 0.4 * image.width || distance > 1) continue;
-    sum += distance * distance;
-    ++count;
-  }
-  EXPECT_GT(count, image.width);
-  return std::sqrt(sum / count);
-}
-
-TEST(DetectEdges, ViewsFinerThanTheirImagesSeparateNarrowBars) {
-  for (const double width_px : {2.0, 2.5, 3.0}) {
-    for (const double angle : {0.3, 1.1, 2.2}) {
-      const Vector2d across(std::cos(angle), std::sin(angle));
-      Image image = BarImage(64, width_px, across);
-      const double as_stored = BarError(image, width_px, across);
-      image.scale.setConstant(2);
-      const double finer = BarError(image, width_px, across);
-      EXPECT_LT(finer, 0.1) << width_px << " px at " << angle;
-      if (width_px < 3) {
-        EXPECT_LT(finer, 0.8 * as_stored) << width_px << " px at " << angle;
-      }
-    }
-  }
 }
 
 // At scales that are no whole numbers, too; the border and masks are those of the image.
