@@ -117,7 +117,10 @@ class DrawingRefiner {
                     {"links cut at corners", repairs_.splits},
                     {"edges grown between nodes", repairs_.grown},
                     {"short edges between nodes", repairs_.short_edges},
-                    {"dissolved nodes", repairs_.dissolved_nodes}};
+                    {"dissolved nodes", repairs_.dissolved_nodes},
+                    {"crossings", repairs_.coincidences.crossings},
+                    {"nodes that another link passed", repairs_.coincidences.passed},
+                    {"nodes united", repairs_.coincidences.nodes}};
     summary.dropped = {{"links: others run along them", num_covered_},
                        {"links: pieces of long edges", repairs_.long_edges.replaced}};
     return summary;

@@ -1,5 +1,6 @@
 #include "limn/topology/edit_topology.h"
 
+#include "limn/topology/coinciding_places.h"
 #include "limn/topology/covered_links.h"
 #include "limn/topology/finish_links.h"
 #include "limn/topology/grow_edges.h"
@@ -72,6 +73,7 @@ RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& o
   counts.splits = SplitAtCorners(&editor);
   counts.grown = GrowEdges(input, options, GrowthEnd::kJoint, context, &editor);
   counts.short_edges = AddShortEdges(input, options, context, &editor);
+  counts.coincidences = UniteCoincidingPlaces(meetings);
   counts.dissolved_nodes = DissolveNodes(options, &editor);
   PairContinuations(options, graph);
   return counts;

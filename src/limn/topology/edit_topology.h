@@ -4,6 +4,7 @@
 
 #include "limn/model/curve3d.h"
 #include "limn/model/edgel_fate.h"
+#include "limn/topology/coinciding_places.h"
 #include "limn/topology/continue_curves.h"
 #include "limn/topology/long_edges.h"
 #include "limn/topology/meetings.h"
@@ -40,14 +41,16 @@ struct RepairCounts {
   int64_t grown = 0;        // links grown from one joint to another
   int64_t short_edges = 0;  // links found between two joints
   int64_t dissolved_nodes = 0;
+  CoincidenceCounts coincidences;
 };
 
 // Repairs topological errors that a fit to the images reveals, so that the next fit can benefit
 // (ours; algorithm/refinement.md#repairs-between-fits). Draws long edges between joints anew, cuts
 // back free ends that run along other links, joins ends, moves them to the nodes and links that
 // they meet, splits links at corners, grows edges between the nodes, which are now in the right
-// places, and dissolves nodes where one curve continues. Links without vertices are left alone; the
-// others need a point about every px. The graph passes Validate() before and after.
+// places, makes nodes where links cross, and dissolves those where one curve continues. Links
+// without vertices are left alone; the others need a point about every px. The graph passes
+// Validate() before and after.
 RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& options,
                             const RunContext& context, DrawingGraph* graph);
 

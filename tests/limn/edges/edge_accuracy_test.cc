@@ -58,9 +58,8 @@ double ErrorOfStretches(double blur_px, double noise) {
   int count = 0;
   for (unsigned seed = 0; seed < 4; ++seed) {
     const Line line = LineThroughMiddle(80, 320, 0.12 + 0.03 * seed);
-    Image image = ProfileImage(80, 320, line, [&](double across_px) {
-      return 80 + 60 * BlurredStep(across_px, blur_px);
-    });
+    Image image = ProfileImage(
+        80, 320, line, [&](double across_px) { return 80 + 60 * BlurredStep(across_px, blur_px); });
     testing::AddNoise(noise, seed + 1, &image);
     std::map<int, std::vector<double>> errors;
     for (const Edgel& edgel : DetectEdges(image, {}).edgels) {
@@ -100,8 +99,8 @@ TEST(EdgeAccuracy, StretchesOfStepsAgainstTheCramerRaoBound) {
     for (const double contrast_to_noise : {3.0, 10.0, 30.0, 100.0}) {
       const double error_px = ErrorOfStretches(blur_px, 60 / contrast_to_noise);
       const double excess = error_px / LeastError(blur_px, contrast_to_noise);
-      std::cout << "blur " << blur_px << " px, contrast " << contrast_to_noise << " times the noise: "
-                << error_px << " px, " << excess << " times the bound\n";
+      std::cout << "blur " << blur_px << " px, contrast " << contrast_to_noise
+                << " times the noise: " << error_px << " px, " << excess << " times the bound\n";
       const double of_scales = std::max(ExcessOfGradient(blur_px, options.fine_sigma_px),
                                         ExcessOfGradient(blur_px, options.sigma_px));
       EXPECT_LT(excess, 1.2 * of_scales) << blur_px << " px, " << contrast_to_noise;

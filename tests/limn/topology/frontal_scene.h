@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/geometry/polyline.h"
+#include "limn/topology/coinciding_places.h"
 #include "limn/topology/covered_links.h"
 #include "limn/topology/edit_topology.h"
 #include "limn/topology/frontal_lines.h"
@@ -100,6 +101,16 @@ class FrontalScene {
       SnapEnds({input, options, Reach::Fitted(options), editor, &counts});
       PairContinuations(options, &graph);
       return counts;
+    });
+  }
+  // Continuations are paired afterwards.
+  CoincidenceCounts Unite() {
+    return Run([&](const auto& input, GraphEditor* editor) {
+      MeetingCounts counts;
+      const CoincidenceCounts united =
+          UniteCoincidingPlaces({input, options, Reach::Fitted(options), editor, &counts});
+      PairContinuations(options, &graph);
+      return united;
     });
   }
   RepairCounts Repair() {
