@@ -81,10 +81,6 @@ Shape Polygon(const std::vector<Vector2d>& corners) {
   };
 }
 
-Shape Intersection(const Shape& a, const Shape& b) {
-  return [=](const Vector2d& p) { return std::min(a(p), b(p)); };
-}
-
 Shape Complement(const Shape& a) {
   return [=](const Vector2d& p) { return -a(p); };
 }

@@ -20,7 +20,6 @@ Shape Disc(const Eigen::Vector2d& center, double radius);
 Shape Stroke(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width);
 // Any simple polygon, either orientation.
 Shape Polygon(const std::vector<Eigen::Vector2d>& corners);
-Shape Intersection(const Shape& a, const Shape& b);
 Shape Complement(const Shape& a);
 
 Image ConstantImage(int width, int height, const std::vector<float>& levels);

@@ -6,10 +6,11 @@
 
 namespace limn {
 
+// Pairs of places that became one, or parts of one.
 struct CoincidenceCounts {
-  int64_t crossings = 0;  // of two links, in the middle of both
-  int64_t passed = 0;     // nodes in the middle of another link
-  int64_t nodes = 0;      // pairs of nodes
+  int64_t crossings = 0;  // in the middle of two links
+  int64_t passed = 0;     // a node, and a place in the middle of another link
+  int64_t nodes = 0;
 };
 
 // Makes one node of places that coincide: where two links pass through each other, where a link

@@ -73,8 +73,8 @@ RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& o
   counts.splits = SplitAtCorners(&editor);
   counts.grown = GrowEdges(input, options, GrowthEnd::kJoint, context, &editor);
   counts.short_edges = AddShortEdges(input, options, context, &editor);
-  counts.coincidences = UniteCoincidingPlaces(meetings);
   counts.dissolved_nodes = DissolveNodes(options, &editor);
+  counts.coincidences = UniteCoincidingPlaces(meetings);
   PairContinuations(options, graph);
   return counts;
 }

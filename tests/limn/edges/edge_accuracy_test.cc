@@ -91,8 +91,8 @@ double ExcessOfGradient(double blur_px, double sigma_px) {
   return 0.61 * std::pow(1 + r * r, 1.5) / std::sqrt(r);
 }
 
-// Noise is not what edges softer than the scale need be found coarser for: at a contrast of 10
-// times the noise, a stretch of an edge of 1.5 px errs by an eighth of a pixel.
+// Noise alone is no reason to find soft edges at a coarser scale: at a contrast of 10 times the
+// noise, a stretch of an edge of 1.5 px errs by an eighth of a pixel.
 TEST(EdgeAccuracy, StretchesOfStepsAgainstTheCramerRaoBound) {
   const EdgeDetectionOptions options;
   for (const double blur_px : {0.4, 0.7, 1.0, 1.5, 2.5, 4.0}) {
@@ -134,13 +134,12 @@ double WorstBarEdge(double width_px, double angle_rad, double scale) {
   double worst = 0;
   for (int side = 0; side < 2; ++side) {
     EXPECT_GT(counts[side], 65 * scale) << width_px << " px at " << angle_rad;
-    worst = std::max(worst, std::abs(sums[side] / counts[side]));
+    if (counts[side] > 0) worst = std::max(worst, std::abs(sums[side] / counts[side]));
   }
   return worst;
 }
 
-// Smoothing by sigma moves the edges of a bar of less than 2.5 sigma or so apart: views finer than
-// their images resolve narrower ones.
+// Smoothing moves the edges of a narrow bar apart; views finer than their images are smoothed less.
 TEST(EdgeAccuracy, BothEdgesOfNarrowBars) {
   for (const double angle_rad : {0.3, 1.1, 2.2}) {
     EXPECT_LT(WorstBarEdge(4, angle_rad, 1), 0.02) << angle_rad;
