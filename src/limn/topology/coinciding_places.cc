@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -20,7 +22,7 @@ using Eigen::Vector3d;
 
 // Places coincide up to this distance, px.
 constexpr double kMissPx = 1;
-// A crossing lies this near to the nearest point of either link, px of it: points are about 1 px
+// The point of a link nearest to a crossing is at most this far from it, px: points are about 1 px
 // apart.
 constexpr double kHalfStepPx = 0.6;
 
@@ -33,21 +35,11 @@ struct Place {
   auto operator<=>(const Place&) const = default;
 };
 
-// The directions of links at a place: outward beyond a node, both ways in the middle of a link.
+// The links at a place and their directions: towards a node, both ways in the middle of a link.
 struct Arms {
   std::vector<Vector3d> directions;
   std::set<LinkId> links;
 };
-
-bool ArmsPart(const Arms& a, const Arms& b, double min_rad) {
-  if (std::ranges::any_of(a.links, [&](LinkId link) { return b.links.contains(link); })) {
-    return false;
-  }
-  return std::ranges::all_of(a.directions, [&](const Vector3d& u) {
-    return std::ranges::all_of(b.directions,
-                               [&](const Vector3d& v) { return AngleBetween(u, v) > min_rad; });
-  });
-}
 
 // Two places that may be one.
 struct Coincidence {
@@ -73,7 +65,7 @@ class PlaceView {
     }
   }
 
-  // Nearest first.
+  // All pairs of places that links pass each other at, nearest first.
   std::vector<Coincidence> Find(const Places& points) const {
     const SpatialIndex index(points.position);
     std::set<Coincidence> found;
@@ -116,7 +108,15 @@ class PlaceView {
     return arms;
   }
 
-  bool Part(const Arms& a, const Arms& b) const { return ArmsPart(a, b, min_parting_rad_); }
+  // Whether the places have no link in common and no links that run along each other.
+  bool Part(const Arms& a, const Arms& b) const {
+    const auto is_of_b = [&](LinkId link) { return b.links.contains(link); };
+    if (std::ranges::any_of(a.links, is_of_b)) return false;
+    return std::ranges::all_of(a.directions, [&](const Vector3d& u) {
+      return std::ranges::all_of(
+          b.directions, [&](const Vector3d& v) { return AngleBetween(u, v) > min_parting_rad_; });
+    });
+  }
 
   // That any link of the one place meets any of the other.
   bool ImagesShow(const Coincidence& at) const {
