@@ -90,14 +90,15 @@ void PrintStructure(const Json& set, std::ostream& out) {
   const size_t tau = set["taus"].size() / 2;
   out << "Structure at tau = " << Short(set["taus"][tau])
       << ", and 95 % intervals (bootstrap over curves); in brackets: per true length:\n\n";
-  PrintHead({"method", "box", "links per true curve", "false free ends", "false junctions",
+  PrintHead({"method", "box", "links, curves per true curve", "false free ends", "false junctions",
              "junctions' degree right", "arms P/R", "joined", "P", "R", "F"},
             out);
   for (const Json& run : Compared(set)) {
     for (const auto& [box, report] : run["truth"].items()) {
       const Json& row = report["rows"][tau];
       PrintRow(
-          {run["method"], box, Fixed(row["links_per_chain"], 2),
+          {run["method"], box,
+           Fixed(row["links_per_chain"], 2) + ", " + Fixed(row["curves_per_chain"], 2),
            FalseOnes(row["num_false_ends"], row["num_free_ends"], row["false_ends_per_length"]),
            FalseOnes(row["num_false_junctions"], row["num_junctions"],
                      row["false_junctions_per_length"]),

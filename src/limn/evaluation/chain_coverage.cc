@@ -62,25 +62,35 @@ ChainCoverage CoverChains(const SampledScene& sampled, const TrueChains& chains,
   return coverage;
 }
 
-void ScoreLinksPerChain(const SampledScene& sampled, const ChainCoverage& coverage,
-                        StructureScores* scores) {
+void ScorePiecesPerChain(const SampledScene& sampled, const ChainCoverage& coverage,
+                         StructureScores* scores) {
   const double min_length = sampled.scene.options.chain_taus * sampled.tau;
   const double min_cover = sampled.scene.options.cover_taus * sampled.tau;
+  const std::vector<int>& curves = sampled.scene.reconstruction.curves;
+  std::map<std::pair<int, int>, double> by_curve;
   std::vector<int> num_links(coverage.lengths.size());
   for (const auto& [key, cover] : coverage.covers) {
-    if (cover.length >= min_cover) ++num_links[key.first];
+    const auto& [chain, link] = key;
+    num_links[chain] += cover.length >= min_cover;
+    by_curve[{chain, curves.empty() ? link : curves[link]}] += cover.length;
   }
-  double sum = 0;
+  std::vector<int> num_curves(coverage.lengths.size());
+  for (const auto& [key, length] : by_curve) num_curves[key.first] += length >= min_cover;
+  double sum_of_links = 0;
+  double sum_of_curves = 0;
   double total = 0;
   for (size_t chain = 0; chain < num_links.size(); ++chain) {
     if (!(coverage.lengths[chain] >= min_length)) continue;
     ++scores->num_chains;
     if (num_links[chain] == 0) continue;
     ++scores->num_drawn_chains;
-    sum += num_links[chain] * coverage.lengths[chain];
+    sum_of_links += num_links[chain] * coverage.lengths[chain];
+    sum_of_curves += num_curves[chain] * coverage.lengths[chain];
     total += coverage.lengths[chain];
   }
-  if (total > 0) scores->links_per_chain = sum / total;
+  if (!(total > 0)) return;
+  scores->links_per_chain = sum_of_links / total;
+  scores->curves_per_chain = sum_of_curves / total;
 }
 
 }  // namespace limn

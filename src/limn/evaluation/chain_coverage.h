@@ -30,8 +30,8 @@ struct ChainCoverage {
 ChainCoverage CoverChains(const SampledScene& sampled, const TrueChains& chains,
                           const std::vector<ChainPlace>& places, double arm_taus);
 
-// Fills in the scores of links per chain.
-void ScoreLinksPerChain(const SampledScene& sampled, const ChainCoverage& coverage,
-                        StructureScores* scores);
+// Fills in the scores of links and of curves per chain.
+void ScorePiecesPerChain(const SampledScene& sampled, const ChainCoverage& coverage,
+                         StructureScores* scores);
 
 }  // namespace limn

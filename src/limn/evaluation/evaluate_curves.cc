@@ -202,7 +202,7 @@ void AddStructure(const SampledScene& sampled, const TrueChains& chains,
   ScoreFreeEnds(sampled, chains, row->true_length, &row->structure);
   if (chains.chains.empty()) return;
   const ChainCoverage coverage = CoverChains(sampled, chains, places, kArmTaus);
-  ScoreLinksPerChain(sampled, coverage, &row->structure);
+  ScorePiecesPerChain(sampled, coverage, &row->structure);
   ScoreJunctions(sampled, chains, row->true_length, &row->structure);
   ScoreConnectivity(sampled, chains, coverage, &row->structure);
 }

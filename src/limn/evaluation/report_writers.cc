@@ -37,6 +37,7 @@ void AddInterval(const std::string& name, const std::optional<Interval>& interva
 
 void AddStructure(const StructureScores& scores, Json* json) {
   (*json)["links_per_chain"] = OrNull(scores.links_per_chain);
+  (*json)["curves_per_chain"] = OrNull(scores.curves_per_chain);
   (*json)["num_chains"] = scores.num_chains;
   (*json)["num_drawn_chains"] = scores.num_drawn_chains;
   (*json)["num_free_ends"] = OrNull(scores.num_free_ends);
@@ -89,16 +90,17 @@ void PrintStructure(const EvaluationReport& report, std::ostream& out) {
     for (const std::string& cell : cells) out << std::setw(kWidth) << cell << ' ';
     out << '\n';
   };
-  print_row({"interval", "P %", "R %", "F %", "links/curve", "false ends", "per length",
+  print_row({"interval", "P %", "R %", "F %", "links", "curves", "false ends", "per length",
              "false junc.", "per length", "degree %", "arms P %", "arms R %", "joined %"});
   for (const TauResult& row : report.rows) {
     const StructureScores& scores = row.structure;
-    print_row(
-        {"tau " + Cell(row.tau, 4), Percent(row.precision_interval), Percent(row.recall_interval),
-         Percent(row.f_interval), Cell(scores.links_per_chain, 3), Cell(scores.num_false_ends),
-         Cell(scores.false_ends_per_length, 3), Cell(scores.num_false_junctions),
-         Cell(scores.false_junctions_per_length, 3), Percent(scores.right_degrees),
-         Percent(scores.arm_precision), Percent(scores.arm_recall), Percent(scores.connectivity)});
+    print_row({"tau " + Cell(row.tau, 4), Percent(row.precision_interval),
+               Percent(row.recall_interval), Percent(row.f_interval),
+               Cell(scores.links_per_chain, 3), Cell(scores.curves_per_chain, 3),
+               Cell(scores.num_false_ends), Cell(scores.false_ends_per_length, 3),
+               Cell(scores.num_false_junctions), Cell(scores.false_junctions_per_length, 3),
+               Percent(scores.right_degrees), Percent(scores.arm_precision),
+               Percent(scores.arm_recall), Percent(scores.connectivity)});
   }
 }
 

@@ -12,6 +12,8 @@ struct StructureScores {
   // of at least chain_taus that have any. A link is on a chain if it covers cover_taus of it: its
   // samples within tau of the chain, in the chain's direction and nearer to it than to others.
   std::optional<double> links_per_chain;
+  // The same for curves, whose links together cover the chain (CurveSet::curves).
+  std::optional<double> curves_per_chain;
   int num_chains = 0;        // of that length
   int num_drawn_chains = 0;  // with a link
   // Nodes of degree 1, and those among them that are farther than junction_taus from every true

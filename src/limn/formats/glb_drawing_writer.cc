@@ -19,6 +19,7 @@
 
 #include "limn/formats/face_mesh.h"
 #include "limn/geometry/polyline.h"
+#include "limn/model/drawing_paths.h"
 #include "limn/util/errors.h"
 #include "limn/version.h"
 
@@ -276,10 +277,11 @@ class SceneBuilder {
   size_t first_vertex_ = 0;
 };
 
-void AddLink(const DrawingLink& link, int id, SceneBuilder* scene) {
+void AddLink(const DrawingLink& link, int id, LinkId curve, SceneBuilder* scene) {
   const size_t count = link.points_in_world.size() - (link.closed ? 1 : 0);
-  for (size_t i = 0; i < count; ++i) scene->AddVertex(link.points_in_world[i], ColorOfCurve(id));
+  for (size_t i = 0; i < count; ++i) scene->AddVertex(link.points_in_world[i], ColorOfCurve(curve));
   Value::Object extras = {{"link", Value(id)},
+                          {"curve", Value(curve)},
                           {"length", Value(Length(link.points_in_world))},
                           {"closed", Value(link.closed)},
                           {"residual_px", Value(link.residual_px)},
@@ -324,8 +326,9 @@ void AddFaces(const DrawingGraph& graph, SceneBuilder* scene) {
 
 void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out) {
   SceneBuilder scene(MiddleOf(graph));
+  const std::vector<LinkId> curves = CurvesOf(graph);
   for (size_t id = 0; id < graph.links.size(); ++id) {
-    AddLink(graph.links[id], static_cast<int>(id), &scene);
+    AddLink(graph.links[id], static_cast<int>(id), curves[id], &scene);
   }
   if (options.junctions) AddJunctions(graph, &scene);
   for (const GlbPoint& point : options.cloud) scene.AddVertex(point.position, point.color);

@@ -24,11 +24,11 @@ struct GlbOptions {
 
 // Writes a drawing as binary glTF 2.0 (.glb), for Blender and other 3D programs:
 //   node "drawing"           its translation is the middle of the links
-//     node "link_<id>"       a line strip with the link's points in its color (ColorOfCurve), an
+//     node "link_<id>"       a line strip with the link's points in the color of its curve, an
 //                            object of its own; a closed one returns to its first vertex by index.
-//                            extras: "link", "length", "closed", "residual_px", "views", and where
-//                            known "primitive", "class", "kind" and
-//                            "kind_confidence"; "tentative" if it is
+//                            extras: "link", "curve", "length", "closed", "residual_px", "views",
+//                            and where known "primitive", "class", "kind" and "kind_confidence";
+//                            "tentative" if it is
 //     node "face_<id>"       triangles with normals, of the material "faces" (matt, seen from both
 //                            sides). extras: "face", "surface", "area", "confidence", "views"
 //     node "junctions"       points, white; extras: "nodes", their ids in order

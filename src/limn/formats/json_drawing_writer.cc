@@ -8,6 +8,7 @@
 
 #include "limn/formats/json_faces.h"
 #include "limn/geometry/polyline.h"
+#include "limn/model/drawing_paths.h"
 #include "limn/util/errors.h"
 #include "limn/version.h"
 
@@ -113,8 +114,10 @@ Json ToJson(const DrawingDimension& dimension) {
           {"shift", ToJson(dimension.shift)}};
 }
 
-Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& view_names) {
+Json ToJson(const DrawingLink& link, size_t id, LinkId curve,
+            const std::vector<std::string>& view_names) {
   Json json = {{"id", id},
+               {"curve", curve},
                {"node0", link.node0},
                {"node1", link.node1},
                {"closed", link.closed},
@@ -191,9 +194,12 @@ void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata
       "nodes", graph.nodes, [](const DrawingNode& node, size_t id) { return ToJson(node, id); },
       out);
   out << ",\n";
+  const std::vector<LinkId> curves = CurvesOf(graph);
   PutList(
       "links", graph.links,
-      [&](const DrawingLink& link, size_t id) { return ToJson(link, id, metadata.view_names); },
+      [&](const DrawingLink& link, size_t id) {
+        return ToJson(link, id, curves[id], metadata.view_names);
+      },
       out);
   if (!graph.faces.empty()) {
     out << ",\n";

@@ -21,7 +21,7 @@ namespace limn {
 //    "nodes": [{"id", "position": [x, y, z], "kind": "end"|"junction"|"loop_anchor", "degree",
 //               "incident": [[link, end], ...], "continuations": [[[link, end], [link, end]],
 //               ...]}],
-//    "links": [{"id", "node0", "node1", "closed", "length", "residual_px",
+//    "links": [{"id", "curve" (CurvesOf), "node0", "node1", "closed", "length", "residual_px",
 //               "kind": "edge"|"paint"|"shadow"|"contour"|"unknown", "kind_confidence" where known,
 //               "tentative": true where it is, then
 //               "doubt": "few views"|"chance"|"seen through"|"explained by others" where known,

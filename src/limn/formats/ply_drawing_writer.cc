@@ -5,6 +5,7 @@
 #include "limn/formats/colors.h"
 #include "limn/formats/link_kind.h"
 #include "limn/formats/ply_output.h"
+#include "limn/model/drawing_paths.h"
 
 namespace limn {
 namespace {
@@ -29,9 +30,10 @@ void PutVertices(const DrawingGraph& graph, std::ostream& out) {
   for (const DrawingNode& node : graph.nodes) {
     PutVertex(out, node.position_in_world, kWhite, SigmaOfNode(graph, node));
   }
+  const std::vector<LinkId> curves = CurvesOf(graph);
   for (size_t id = 0; id < graph.links.size(); ++id) {
     const DrawingLink& link = graph.links[id];
-    const Color color = ColorOfCurve(static_cast<int>(id));
+    const Color color = ColorOfCurve(curves[id]);
     for (size_t i = 1; i + 1 < link.points_in_world.size(); ++i) {
       PutVertex(out, link.points_in_world[i], color, link.sigma[i]);
     }
@@ -48,9 +50,10 @@ void PutEdges(const DrawingGraph& graph, std::ostream& out) {
   const bool has_classes = HasClasses(graph);
   const bool has_kinds = HasKinds(graph);
   int32_t first_inner = static_cast<int32_t>(graph.nodes.size());
+  const std::vector<LinkId> curves = CurvesOf(graph);
   for (size_t id = 0; id < graph.links.size(); ++id) {
     const DrawingLink& link = graph.links[id];
-    const Color color = ColorOfCurve(static_cast<int>(id));
+    const Color color = ColorOfCurve(curves[id]);
     const int32_t num_inner = static_cast<int32_t>(NumInnerPoints(link));
     int32_t previous = link.node0;
     for (int32_t i = 0; i <= num_inner; ++i) {

@@ -7,6 +7,7 @@
 #include "limn/geometry/polyline.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/drawing_paths.h"
 
 namespace limn {
 
@@ -23,12 +24,15 @@ struct CurveSet {
   std::vector<Eigen::Vector3d> points;
   // Empty: nodes are where ends of polylines coincide exactly.
   std::vector<CurveNode> nodes;
+  // Per polyline, the curve that it is a part of (CurvesOf). Empty: each is a curve of its own.
+  std::vector<int> curves = {};
 };
 
 inline CurveSet ToCurveSet(const DrawingGraph& graph) {
   CurveSet set;
   set.polylines.reserve(graph.links.size());
   for (const DrawingLink& link : graph.links) set.polylines.push_back(link.points_in_world);
+  set.curves = CurvesOf(graph);
   set.nodes.reserve(graph.nodes.size());
   for (const DrawingNode& node : graph.nodes) {
     set.nodes.push_back({node.position_in_world, node.Degree()});

@@ -96,4 +96,16 @@ std::vector<DrawingPath> PathsOf(const DrawingGraph& graph) {
   return paths;
 }
 
+std::vector<LinkId> CurvesOf(const DrawingGraph& graph) {
+  UnionFind sets(static_cast<int>(graph.links.size()));
+  for (const DrawingNode& node : graph.nodes) {
+    for (const auto& [a, b] : node.continuations) sets.Union(a.link, b.link);
+  }
+  std::vector<LinkId> curves;
+  for (LinkId link = 0; link < static_cast<LinkId>(graph.links.size()); ++link) {
+    curves.push_back(sets.Find(link));
+  }
+  return curves;
+}
+
 }  // namespace limn

@@ -26,4 +26,9 @@ using DrawingPath = std::vector<PathStep>;
 // it returns to its start. Ordered by smallest link. Linear time.
 std::vector<DrawingPath> PathsOf(const DrawingGraph& graph);
 
+// Per link, the curve that it is a part of: the links that continue each other smoothly at nodes,
+// such as the pieces of a line between its T junctions and crossings. Named by its first link.
+// O(links * log(links)).
+std::vector<LinkId> CurvesOf(const DrawingGraph& graph);
+
 }  // namespace limn

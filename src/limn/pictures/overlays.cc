@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "limn/formats/tracks_writer.h"
+#include "limn/model/drawing_paths.h"
 #include "limn/model/link_selection.h"
 #include "limn/pictures/canvas.h"
 #include "limn/pictures/draw_node.h"
@@ -91,11 +92,12 @@ Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const 
   options.Check();
   CheckSize(photo, view.camera.width, view.camera.height, view.name);
   Canvas canvas = MakeCanvas(photo, options);
+  const std::vector<LinkId> curves = CurvesOf(graph);
   for (const bool clear : {false, true}) {
     for (size_t id = 0; id < graph.links.size(); ++id) {
       const DrawingLink& link = graph.links[id];
       if (IsClear(view_id, link) != clear) continue;
-      const Color color = ColorOfCurve(static_cast<int>(id));
+      const Color color = ColorOfCurve(curves[id]);
       DrawPolyline(view, link.points_in_world, clear ? color : Faded(color),
                    clear ? options.line_width_px : 1, &canvas);
     }

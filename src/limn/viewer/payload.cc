@@ -11,6 +11,7 @@
 #include "limn/formats/colors.h"
 #include "limn/geometry/median_point.h"
 #include "limn/geometry/polyline.h"
+#include "limn/model/drawing_paths.h"
 #include "limn/util/errors.h"
 #include "limn/viewer/payload_arrays.h"
 
@@ -64,6 +65,7 @@ void AddLinkCurves(const ViewerScene& scene, const Eigen::Vector3d& center, Payl
   std::vector<float> residual;
   std::vector<int32_t> nodes;
   std::vector<uint8_t> color;
+  const std::vector<LinkId> curves = CurvesOf(scene.graph);
   for (size_t id = 0; id < scene.graph.links.size(); ++id) {
     const DrawingLink& link = scene.graph.links[id];
     for (const Eigen::Vector3d& point : link.points_in_world) points.Put(point - center);
@@ -73,7 +75,7 @@ void AddLinkCurves(const ViewerScene& scene, const Eigen::Vector3d& center, Payl
     length.push_back(Length(link.points_in_world));
     residual.push_back(static_cast<float>(link.residual_px));
     nodes.insert(nodes.end(), {link.node0, link.node1});
-    const Color of_curve = ColorOfCurve(static_cast<int>(id));
+    const Color of_curve = ColorOfCurve(curves[id]);
     color.insert(color.end(), {of_curve.red, of_curve.green, of_curve.blue});
   }
   arrays->Add("points", points.numbers);

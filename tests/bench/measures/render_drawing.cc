@@ -7,6 +7,7 @@
 
 #include "limn/formats/tracks_writer.h"
 #include "limn/geometry/tangent_frame.h"
+#include "limn/model/drawing_paths.h"
 #include "limn/pictures/canvas.h"
 #include "limn/pictures/draw_node.h"
 #include "limn/util/angles.h"
@@ -102,9 +103,10 @@ View OrbitView(const DrawingGraph& graph, const Eigen::Vector3d& up, const Orbit
 Picture RenderDrawing(const DrawingGraph& graph, const View& view, const PictureOptions& options) {
   options.Check();
   Canvas canvas(view.camera.width, view.camera.height, std::max(options.scale, 1));
+  const std::vector<LinkId> curves = CurvesOf(graph);
   for (size_t id = 0; id < graph.links.size(); ++id) {
     for (const auto& run : ProjectPolyline(view, graph.links[id].points_in_world)) {
-      canvas.DrawLine(run, ColorOfCurve(static_cast<int>(id)), options.line_width_px);
+      canvas.DrawLine(run, ColorOfCurve(curves[id]), options.line_width_px);
     }
   }
   for (const DrawingNode& node : graph.nodes) {

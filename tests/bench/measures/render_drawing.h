@@ -33,7 +33,7 @@ Eigen::Vector3d UpDirection(const std::vector<View>& views);
 // Throws InputError if the drawing has no links.
 View OrbitView(const DrawingGraph& graph, const Eigen::Vector3d& up, const OrbitOptions& options);
 
-// The drawing alone on white, one color per link, with its nodes.
+// The drawing alone on white, one color per curve, with its nodes.
 Picture RenderDrawing(const DrawingGraph& graph, const View& view,
                       const PictureOptions& options = {});
 

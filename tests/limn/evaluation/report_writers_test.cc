@@ -43,6 +43,7 @@ TEST(ReportWriters, StructureIsToldWhereKnown) {
   report.rows[0].precision_interval = Interval{0.75, 0.9375};
   StructureScores& scores = report.rows[0].structure;
   scores.links_per_chain = 1.625;
+  scores.curves_per_chain = 1.375;
   scores.num_chains = 9;
   scores.num_free_ends = 25;
   scores.num_false_ends = 17;
@@ -54,13 +55,14 @@ TEST(ReportWriters, StructureIsToldWhereKnown) {
   PrintReport(report, table);
   EXPECT_THAT(table.str(), HasSubstr("75.0-93.8"));
   EXPECT_THAT(table.str(), HasSubstr(" 1.62 "));
+  EXPECT_THAT(table.str(), HasSubstr(" 1.38 "));
   EXPECT_THAT(table.str(), HasSubstr(" 17 "));
   EXPECT_THAT(table.str(), HasSubstr(" 0.125 "));
   EXPECT_THAT(table.str(), HasSubstr(" 62.5 "));
   EXPECT_THAT(table.str(), HasSubstr(" 37.5 "));
   WriteReportCsv(report, csv);
-  EXPECT_THAT(csv.str(), HasSubstr(",links_per_chain,num_chains,"));
-  EXPECT_THAT(csv.str(), HasSubstr(",1.625,9,"));
+  EXPECT_THAT(csv.str(), HasSubstr(",links_per_chain,curves_per_chain,num_chains,"));
+  EXPECT_THAT(csv.str(), HasSubstr(",1.625,1.375,9,"));
   WriteReportJson(report, json);
   const nlohmann::json rows = nlohmann::json::parse(json.str()).at("rows");
   EXPECT_EQ(rows.at(0).at("precision_low"), 0.75);

@@ -60,6 +60,24 @@ TEST(LinksPerChain, PiecesThatCoverEnoughCount) {
             3.0);
 }
 
+TEST(CurvesPerChain, LinksThatContinueEachOtherAreOne) {
+  const CurveSet truth = Curves({Line(0, 1)});
+  CurveSet drawn = Curves({Line(0, 0.5), Line(0.5, 0.75), Line(0.75, 1)});
+  EXPECT_EQ(Score(drawn, truth).curves_per_chain, 3.0);
+  drawn.curves = {0, 1, 0};
+  EXPECT_EQ(Score(drawn, truth).curves_per_chain, 2.0);
+  EXPECT_EQ(Score(drawn, truth).links_per_chain, 3.0);
+}
+
+TEST(CurvesPerChain, CoverAChainByTheirLinksTogether) {
+  const CurveSet truth = Curves({Line(0, 1)});
+  CurveSet drawn = Curves({Line(0, 0.96), Line(0.96, 0.98), Line(0.98, 1)});
+  EXPECT_EQ(Score(drawn, truth).curves_per_chain, 1.0);
+  drawn.curves = {0, 1, 1};
+  EXPECT_EQ(Score(drawn, truth).curves_per_chain, 2.0);
+  EXPECT_EQ(Score(drawn, truth).links_per_chain, 1.0);
+}
+
 TEST(LinksPerChain, AreTheMeanByLengthOverDrawnChains) {
   const CurveSet truth = Curves({Line(0, 3), Line(0, 1, 1), Line(0, 5, 2)});
   const StructureScores scores =

@@ -76,6 +76,22 @@ TEST(Paths, RingsAndClosedLinks) {
   EXPECT_THAT(PathsOf(closed), ElementsAre(DrawingPath{{0, false}}));
 }
 
+TEST(Curves, GoOnThroughJunctionsButNotAroundCorners) {
+  // Links 1 and 2 go on through node 0, where link 0 ends; 2 and 3 meet at a corner.
+  DrawingGraph graph = GraphOf(5, {{0, 1}, {2, 0}, {0, 3}, {3, 4}});
+  EXPECT_THAT(CurvesOf(graph), ElementsAre(0, 1, 2, 3));
+  graph.nodes[0].continuations = {{{2, 0}, {1, 1}}};
+  EXPECT_THAT(CurvesOf(graph), ElementsAre(0, 1, 1, 3));
+}
+
+TEST(Curves, AreNamedByTheirFirstLink) {
+  DrawingGraph ring = GraphOf(3, {{0, 1}, {2, 1}, {2, 0}});
+  ring.nodes[0].continuations = {{{0, 0}, {2, 1}}};
+  ring.nodes[2].continuations = {{{1, 0}, {2, 0}}};
+  EXPECT_THAT(CurvesOf(ring), ElementsAre(0, 0, 0));
+  EXPECT_THAT(CurvesOf({}), ElementsAre());
+}
+
 TEST(Paths, HoldEveryLinkOnceEndToEnd) {
   std::mt19937 random(7);
   for (int round = 0; round < 50; ++round) {

@@ -11,6 +11,7 @@
 #include "limn/formats/svg/dimensions.h"
 #include "limn/formats/svg/legend.h"
 #include "limn/formats/svg/link.h"
+#include "limn/model/drawing_paths.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -69,7 +70,7 @@ class SvgWriter {
  public:
   SvgWriter(const DrawingGraph& graph, const Picture& picture, const SvgOptions& options,
             std::ostream& out)
-      : graph_(graph), picture_(picture), options_(options), out_(out) {}
+      : graph_(graph), curves_(CurvesOf(graph)), picture_(picture), options_(options), out_(out) {}
 
   SvgSummary Write() {
     out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
@@ -166,7 +167,7 @@ class SvgWriter {
     if (link.tentative) out_ << " tentative";
     out_ << '"';
     if (options_.colors == SvgColors::kLink) {
-      out_ << " stroke=\"" << HexColor(ColorOfCurve(static_cast<int>(id))) << '"';
+      out_ << " stroke=\"" << HexColor(ColorOfCurve(curves_[id])) << '"';
     }
     if (!shows_hidden) {
       out_ << " d=\"" << path.visible.text() << "\"/>\n";
@@ -220,6 +221,7 @@ class SvgWriter {
   }
 
   const DrawingGraph& graph_;
+  const std::vector<LinkId> curves_;
   const Picture& picture_;
   const SvgOptions& options_;
   std::ostream& out_;

@@ -34,7 +34,7 @@ enum class SvgHiddenParts { kRemoved, kDashed };
 
 enum class SvgColors {
   kBlack,
-  kLink,       // ColorOfCurve
+  kLink,       // ColorOfCurve of its curve
   kPrimitive,  // by the type of the shape, in the style sheet
   kClass,      // by the class on dense results, in the style sheet
   kKind,       // by the kind of edge, in the style sheet
