@@ -110,6 +110,7 @@ class DrawingRefiner {
                     {"links not fitted: too few views", num_frozen_},
                     {"control points", std::ssize(rounds_.control.position)},
                     {"long edges drawn anew", repairs_.long_edges.added},
+                    {"circles drawn whole", repairs_.circles.added},
                     {"ends cut back from other links", repairs_.trimmed},
                     {"ends joined", repairs_.meetings.joined},
                     {"ends taken to nodes", repairs_.meetings.to_nodes},
@@ -122,7 +123,8 @@ class DrawingRefiner {
                     {"nodes that another link passed", repairs_.coincidences.passed},
                     {"nodes united", repairs_.coincidences.nodes}};
     summary.dropped = {{"links: others run along them", num_covered_},
-                       {"links: pieces of long edges", repairs_.long_edges.replaced}};
+                       {"links: pieces of long edges", repairs_.long_edges.replaced},
+                       {"links: parts of circles", repairs_.circles.replaced}};
     return summary;
   }
 

@@ -11,6 +11,7 @@
 #include "limn/topology/snap_ends.h"
 #include "limn/topology/split_corners.h"
 #include "limn/topology/verify_links.h"
+#include "limn/topology/whole_circles.h"
 
 namespace limn {
 namespace {
@@ -67,6 +68,7 @@ RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& o
   GraphEditor editor(graph);
   const MeetingTask meetings = {input, options, Reach::Fitted(options), &editor, &counts.meetings};
   counts.long_edges = AddLongEdges(input, context, &editor);
+  if (!getenv("NOCIRC")) counts.circles = CompleteCircles(input, context, &editor);
   counts.trimmed = TrimEnds(options, &editor);
   JoinFacingEnds(meetings);
   SnapEnds(meetings);

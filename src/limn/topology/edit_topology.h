@@ -9,6 +9,7 @@
 #include "limn/topology/long_edges.h"
 #include "limn/topology/meetings.h"
 #include "limn/topology/tidy.h"
+#include "limn/topology/whole_circles.h"
 #include "limn/util/parallel.h"
 
 namespace limn {
@@ -35,6 +36,7 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
 
 struct RepairCounts {
   LongEdgeCounts long_edges;
+  CircleCounts circles;
   int64_t trimmed = 0;  // free ends cut back from another link
   MeetingCounts meetings;
   int64_t splits = 0;       // of links where they turn sharply
