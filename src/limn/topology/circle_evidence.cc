@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kMinRimPoints = 12;
 // Of a step: how near edgels must be, and the residual from which on they count linearly.
-constexpr SupportGate kStepGates[] = {
-    {2.5, 1.5, 35 * kDeg}, {2.5, 1.5, 35 * kDeg}, {1.5, 1.5, 25 * kDeg}, {1.5, 1.5, 25 * kDeg},
-    {1.0, 1.5, 20 * kDeg}, {1.0, 1.5, 20 * kDeg}};
+constexpr SupportGate kStepGates[] = {{2.5, 1.5, 35 * kDeg}, {2.5, 1.5, 35 * kDeg},
+                                      {1.5, 1.5, 25 * kDeg}, {1.5, 1.5, 25 * kDeg},
+                                      {1.0, 1.5, 20 * kDeg}, {1.0, 1.5, 20 * kDeg}};
 constexpr double kRimRobustPx = 0.5;
 // Standard deviation of center, radius and rim about the circle of the step before, px. It decides
 // only what edgels leave open.
@@ -92,20 +92,6 @@ CircularArc FitCircleToEdgels(const TopologyInput& input, CircularArc circle, do
     circle = moved;
   }
   return circle;
-}
-
-double RmsToEdgelsPx(const TopologyInput& input, const std::vector<CirclePoint>& points) {
-  double sum = 0;
-  int count = 0;
-  for (const CirclePoint& point : points) {
-    for (const EdgelRef& ref : point.support) {
-      const auto residual = input.Residual(ref, point.position);
-      if (!residual) continue;
-      sum += residual->residual_px * residual->residual_px;
-      ++count;
-    }
-  }
-  return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 }  // namespace limn

@@ -28,8 +28,4 @@ std::vector<CirclePoint> LookAlongCircle(const TopologyInput& input, const Circu
 CircularArc FitCircleToEdgels(const TopologyInput& input, CircularArc circle, double footprint,
                               std::span<const ViewId> views);
 
-// Root of the mean of the squared distances, px, of the edgels from the circle; of those that are
-// in `points`.
-double RmsToEdgelsPx(const TopologyInput& input, const std::vector<CirclePoint>& points);
-
 }  // namespace limn

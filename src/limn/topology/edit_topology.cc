@@ -68,7 +68,7 @@ RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& o
   GraphEditor editor(graph);
   const MeetingTask meetings = {input, options, Reach::Fitted(options), &editor, &counts.meetings};
   counts.long_edges = AddLongEdges(input, context, &editor);
-  if (!getenv("NOCIRC")) counts.circles = CompleteCircles(input, context, &editor);
+  counts.circles = CompleteCircles(input, context, &editor);
   counts.trimmed = TrimEnds(options, &editor);
   JoinFacingEnds(meetings);
   SnapEnds(meetings);

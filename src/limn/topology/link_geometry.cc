@@ -10,6 +10,7 @@
 
 #include "limn/geometry/angle_between.h"
 #include "limn/geometry/parabola.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -88,6 +89,20 @@ double TurnBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 double TurnBetween(const LinkTip& a, const LinkTip& b) {
   return std::min(TurnBetween(a.outward, -b.outward), TurnBetween(a.bent_outward, -b.bent_outward));
+}
+
+double SeamTurn(const DrawingLink& link) {
+  const std::vector<Eigen::Vector3d>& points = link.points_in_world;
+  const int count = link.size() - 1;  // the last point is the first one
+  const int reach = std::max(1, count / 8);
+  std::vector<double> turns;
+  for (int k = 0; k < count; ++k) {
+    const Eigen::Vector3d& before = points[(k + count - reach) % count];
+    const Eigen::Vector3d& after = points[(k + reach) % count];
+    turns.push_back(TurnBetween(points[k] - before, after - points[k]));
+  }
+  const double at_seam = turns.front();
+  return std::max(0.0, at_seam - Median(std::move(turns)));
 }
 
 std::vector<std::pair<size_t, size_t>> SmoothPairs(const std::vector<LinkTip>& tips,

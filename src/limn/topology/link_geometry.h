@@ -38,6 +38,10 @@ LinkTip TipOf(const DrawingLink& link, int end);
 // themselves: where both bend alike, the lines differ by the bend between their middles.
 double TurnBetween(const LinkTip& a, const LinkTip& b);
 
+// How much more a closed link turns where it begins than it does elsewhere, in the median, rad:
+// between chords of an eighth of its points. 0 on a circle, however small.
+double SeamTurn(const DrawingLink& link);
+
 // The angle between two directions, rad; pi / 2 if one is zero, which continues nothing.
 double TurnBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 

@@ -40,6 +40,11 @@ void PairAt(double max_turn_rad, const DrawingGraph& graph, DrawingNode* node_at
     tips.push_back(TipOf(graph.links[end.link], end.end, footprint));
   }
   node.continuations.clear();
+  // Tips are too long for small rings.
+  if (node.kind == NodeKind::kLoopAnchor && SeamTurn(graph.links[known->link]) < max_turn_rad) {
+    node.continuations.push_back({node.incident[0], node.incident[1]});
+    return;
+  }
   for (const auto& [i, j] : SmoothPairs(tips, max_turn_rad)) {
     node.continuations.push_back({node.incident[i], node.incident[j]});
   }

@@ -1,10 +1,12 @@
 #include "limn/topology/whole_circles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <span>
 #include <utility>
@@ -28,28 +30,35 @@ using Eigen::Vector3d;
 // Radius of a circle, px.
 constexpr double kMinRadiusPx = 2;
 constexpr double kMaxRadiusPx = 250;
-// A link suggests a circle if it turns by this much and lies this near to it; two links that meet,
-// if they are the chords of a small one.
+// A link suggests a circle that it is this near to if it turns by this much; so do two links whose
+// ends are this near to each other, which may be chords of a small one.
 constexpr double kMinTurnRad = 60 * kDeg;
-constexpr double kMaxArcMissPx = 2;
+constexpr double kMaxMissPx = 2;
 constexpr double kMaxChordsRadiusPx = 30;
-constexpr double kMaxChordsMissPx = 2;
 constexpr double kMeetPx = 4;
 // Links run along a circle up to this distance and angle.
 constexpr double kRimPx = 1.2;
 constexpr double kRimRad = 35 * kDeg;
-// The share of a circle along which links run, that images show, and the longest part that they may
-// leave out.
+// The least share of a circle along which links run, the least that images show, and the longest
+// part that neither shows.
 constexpr double kMinDrawnShare = 0.4;
 constexpr double kMinShownShare = 0.8;
 constexpr double kMaxGapRad = 50 * kDeg;
-constexpr int kMinRimViews = 3;
-constexpr double kMaxRmsPx = 0.45;
+// Views that show a point, and how near their edgels must be.
+constexpr size_t kMinRimViews = 3;
 constexpr SupportGate kShownGate = {1.0, 1.0, 20 * kDeg};
-// A circle is drawn already if one link runs along this share of it. A link is part of a circle if
-// this share of it runs along it.
+// How far a circle may be off the links that it replaces, px: the root of the difference of their
+// mean squared distances from their edgels. Squares with round corners and the like are farther
+// off.
+constexpr double kMaxOffPx = 0.28;
+// A circle is drawn already if one loop runs along this share of it.
 constexpr double kWholeShare = 0.9;
-constexpr double kPartShare = 0.8;
+// What remains of a link beside a circle goes with it if it is shorter than this, px, or than this
+// share of the link.
+constexpr double kMinTailPx = 3;
+constexpr double kMinTailShare = 0.2;
+// Nodes this near to a circle are taken to it, px.
+constexpr double kTakenPx = 2;
 
 struct Candidate {
   CircularArc circle;
@@ -61,7 +70,13 @@ struct FoundCircle {
   CircularArc circle;
   double footprint = 0;
   std::vector<CirclePoint> points;
-  double score = 0;  // number of its edgels
+  size_t num_edgels = 0;
+};
+
+// The links that run along a circle, with the number of its points at which they do.
+struct LinksAlong {
+  std::map<LinkId, int> count;
+  int num_drawn = 0;  // points with a link
 };
 
 double MeanFootprint(const DrawingLink& link) {
@@ -70,21 +85,31 @@ double MeanFootprint(const DrawingLink& link) {
   return sum / static_cast<double>(link.vertices.size());
 }
 
-// Largest distance of points from a circle.
-double MissOf(const CircularArc& circle, std::span<const Vector3d> points) {
-  double miss = 0;
-  for (const Vector3d& point : points) {
-    const Vector3d offset = point - circle.center;
-    const double height = circle.Normal().dot(offset);
-    const double radius = (offset - height * circle.Normal()).norm();
-    miss = std::max(miss, std::hypot(height, radius - circle.radius));
-  }
-  return miss;
+double DistanceFrom(const CircularArc& circle, const Vector3d& point) {
+  const Vector3d offset = point - circle.center;
+  const double height = circle.Normal().dot(offset);
+  return std::hypot(height, (offset - height * circle.Normal()).norm() - circle.radius);
 }
 
-class CircleFinder {
+// Whether images show enough of a circle.
+bool IsShown(const std::vector<CirclePoint>& points) {
+  const size_t size = points.size();
+  size_t num_shown = 0;
+  size_t gap = 0;
+  size_t longest_gap = 0;
+  for (size_t k = 0; k < 2 * size; ++k) {  // twice around: a gap may go over the end
+    const bool shown = points[k % size].support.size() >= kMinRimViews;
+    gap = shown ? 0 : gap + 1;
+    longest_gap = std::max(longest_gap, gap);
+    num_shown += shown;
+  }
+  const auto share = [&](size_t count) { return static_cast<double>(count) / size; };
+  return share(num_shown) >= 2 * kMinShownShare && share(longest_gap) * 2 * M_PI <= kMaxGapRad;
+}
+
+class CircleCompletion {
  public:
-  CircleFinder(const TopologyInput& input, GraphEditor* editor)
+  CircleCompletion(const TopologyInput& input, GraphEditor* editor)
       : input_(input),
         editor_(*editor),
         places_(CollectPlaces(editor->graph())),
@@ -92,29 +117,53 @@ class CircleFinder {
 
   CircleCounts Run(const RunContext& context) {
     CircleCounts counts;
-    std::vector<FoundCircle> circles = Find(context);
-    for (const FoundCircle& circle : circles) {
-      const std::optional<int64_t> replaced = Draw(circle);
-      if (!replaced) continue;
+    for (const FoundCircle& circle : Find(context)) {
+      const std::optional<int64_t> num_parts = Draw(circle);
+      if (!num_parts) continue;
       ++counts.added;
-      counts.replaced += *replaced;
+      counts.replaced += *num_parts;
     }
     editor_.Compact();
     return counts;
   }
 
  private:
-  bool IsOpen(LinkId id) const {
-    return editor_.IsLink(id) && !editor_.link(id).closed && !editor_.link(id).vertices.empty();
+  // Most edgels first.
+  std::vector<FoundCircle> Find(const RunContext& context) const {
+    const std::vector<Candidate> candidates = Candidates();
+    const auto of_candidate = MapItems(context, "circles", candidates.size(),
+                                       [&](size_t c) { return CircleOf(candidates[c]); });
+    std::vector<FoundCircle> circles;
+    for (const auto& circle : of_candidate) {
+      if (circle) circles.push_back(*circle);
+    }
+    std::ranges::stable_sort(circles, std::greater<>(), &FoundCircle::num_edgels);
+    return circles;
   }
 
-  std::optional<Candidate> CandidateOf(std::span<const LinkId> ids, double max_radius_px,
-                                       double max_miss_px) const {
+  std::vector<Candidate> Candidates() const {
+    std::vector<LinkId> links;
+    for (LinkId id = 0; id < editor_.NumLinks(); ++id) {
+      if (!editor_.link(id).closed && !editor_.link(id).vertices.empty()) links.push_back(id);
+    }
+    std::vector<Candidate> candidates;
+    const auto add = [&](std::span<const LinkId> ids, double max_radius_px) {
+      if (auto found = CandidateOf(ids, max_radius_px)) candidates.push_back(std::move(*found));
+    };
+    for (const LinkId id : links) add(std::array{id}, kMaxRadiusPx);
+    for (const auto& [a, b] : Meeting(links)) add(std::array{a, b}, kMaxChordsRadiusPx);
+    return candidates;
+  }
+
+  // The circle through the points of links.
+  std::optional<Candidate> CandidateOf(std::span<const LinkId> ids, double max_radius_px) const {
     Candidate candidate;
     std::vector<Vector3d> points;
+    double length = 0;
     for (const LinkId id : ids) {
       const DrawingLink& link = editor_.link(id);
       points.insert(points.end(), link.points_in_world.begin(), link.points_in_world.end());
+      length += Length(link.points_in_world);
       candidate.footprint += MeanFootprint(link) / static_cast<double>(ids.size());
       for (const LinkVertex& vertex : link.vertices) {
         for (const EdgelRef& ref : vertex.support) candidate.views.push_back(ref.view);
@@ -122,56 +171,55 @@ class CircleFinder {
     }
     SortUnique(&candidate.views);
     const auto circle = CircleThrough(points);
-    if (!circle) return std::nullopt;
+    if (!circle || length < kMinTurnRad * circle->radius) return std::nullopt;
     const double radius_px = circle->radius / candidate.footprint;
     if (radius_px < kMinRadiusPx || radius_px > max_radius_px) return std::nullopt;
-    if (MissOf(*circle, points) > max_miss_px * candidate.footprint) return std::nullopt;
-    double length = 0;
-    for (const LinkId id : ids) length += Length(editor_.link(id).points_in_world);
-    if (length < kMinTurnRad * circle->radius) return std::nullopt;
+    const auto is_off = [&](const Vector3d& point) {
+      return DistanceFrom(*circle, point) > kMaxMissPx * candidate.footprint;
+    };
+    if (std::ranges::any_of(points, is_off)) return std::nullopt;
     candidate.circle = *circle;
     return candidate;
   }
 
-  std::vector<Candidate> Candidates() const {
-    std::vector<Candidate> candidates;
+  // Pairs of links with ends that are near to each other.
+  std::set<std::pair<LinkId, LinkId>> Meeting(const std::vector<LinkId>& links) const {
     std::vector<Vector3d> ends;
-    std::vector<LinkId> link_of_end;
-    for (LinkId id = 0; id < editor_.NumLinks(); ++id) {
-      if (!IsOpen(id)) continue;
-      if (auto arc = CandidateOf(std::array{id}, kMaxRadiusPx, kMaxArcMissPx)) {
-        candidates.push_back(std::move(*arc));
-      }
-      for (const int end : {0, 1}) {
-        ends.push_back(EndPoint(editor_.link(id), end));
-        link_of_end.push_back(id);
-      }
+    for (const LinkId id : links) {
+      for (const int end : {0, 1}) ends.push_back(EndPoint(editor_.link(id), end));
     }
     const SpatialIndex index(ends);
     std::vector<SpatialIndex::Neighbor> near;
     std::set<std::pair<LinkId, LinkId>> pairs;
     for (size_t e = 0; e < ends.size(); ++e) {
-      const LinkId id = link_of_end[e];
+      const LinkId id = links[e / 2];
       index.FindWithin(ends[e], kMeetPx * editor_.link(id).vertices.front().footprint, &near);
       for (const SpatialIndex::Neighbor& neighbor : near) {
-        const LinkId other = link_of_end[neighbor.index];
-        if (other > id) pairs.insert({id, other});
+        const LinkId other = links[neighbor.index / 2];
+        if (other != id) pairs.insert(std::minmax(id, other));
       }
     }
-    for (const auto& [a, b] : pairs) {
-      auto chords = CandidateOf(std::array{a, b}, kMaxChordsRadiusPx, kMaxChordsMissPx);
-      if (chords) candidates.push_back(std::move(*chords));
-    }
-    return candidates;
+    return pairs;
   }
 
-  // The links that run along a circle, with the number of its points at which they do.
-  struct Beside {
-    std::map<LinkId, int> links;
-    int num_drawn = 0;  // points with a link
-  };
-  Beside LinksBeside(const FoundCircle& found) const {
-    Beside beside;
+  std::optional<FoundCircle> CircleOf(const Candidate& candidate) const {
+    FoundCircle found;
+    found.footprint = candidate.footprint;
+    found.circle =
+        FitCircleToEdgels(input_, candidate.circle, candidate.footprint, candidate.views);
+    const double radius_px = found.circle.radius / found.footprint;
+    if (radius_px < kMinRadiusPx || radius_px > kMaxRadiusPx) return std::nullopt;
+    found.points =
+        LookAlongCircle(input_, found.circle, found.footprint, candidate.views, kShownGate);
+    if (!IsShown(found.points)) return std::nullopt;
+    const LinksAlong along = FindLinksAlong(found);
+    if (!IsDrawn(found, along) || IsOff(found, along)) return std::nullopt;
+    for (const CirclePoint& point : found.points) found.num_edgels += point.support.size();
+    return found;
+  }
+
+  LinksAlong FindLinksAlong(const FoundCircle& found) const {
+    LinksAlong along;
     std::vector<SpatialIndex::Neighbor> near;
     for (const CirclePoint& point : found.points) {
       index_.FindWithin(point.position, kRimPx * found.footprint, &near);
@@ -179,154 +227,152 @@ class CircleFinder {
       for (const SpatialIndex::Neighbor& neighbor : near) {
         const auto& [id, k] = places_.point[neighbor.index];
         if (!editor_.IsLink(id) || cut_.contains(id)) continue;
-        if (LineAngleBetween(TangentAt(editor_.link(id), k), point.tangent) > kRimRad) continue;
-        here.insert(id);
+        const Vector3d tangent = TangentAt(editor_.link(id), k);
+        if (LineAngleBetween(tangent, point.tangent) < kRimRad) here.insert(id);
       }
-      beside.num_drawn += !here.empty();
-      for (const LinkId id : here) ++beside.links[id];
+      along.num_drawn += !here.empty();
+      for (const LinkId id : here) ++along.count[id];
     }
-    return beside;
+    return along;
   }
 
-  std::vector<FoundCircle> Find(const RunContext& context) const {
-    const std::vector<Candidate> candidates = Candidates();
-    const auto of_candidate =
-        MapItems(context, "circles", candidates.size(),
-                 [&](size_t c) { return CircleOf(candidates[c]); });
-    std::vector<FoundCircle> circles;
-    for (const auto& found : of_candidate) {
-      if (found) circles.push_back(*found);
-    }
-    std::ranges::stable_sort(circles, std::greater<>(), &FoundCircle::score);
-    return circles;
+  static bool IsDrawn(const FoundCircle& found, const LinksAlong& along) {
+    return along.num_drawn >= kMinDrawnShare * static_cast<double>(found.points.size());
   }
 
-  std::optional<FoundCircle> CircleOf(const Candidate& candidate) const {
-    FoundCircle found = {FitCircleToEdgels(input_, candidate.circle, candidate.footprint,
-                                           candidate.views),
-                         candidate.footprint,
-                         {},
-                         0};
-    const double radius_px = found.circle.radius / found.footprint;
-    if (radius_px < kMinRadiusPx || radius_px > kMaxRadiusPx) return std::nullopt;
-    found.points =
-        LookAlongCircle(input_, found.circle, found.footprint, candidate.views, kShownGate);
-    const auto size = static_cast<int>(found.points.size());
-    int num_shown = 0;
-    int gap = 0;
-    int longest_gap = 0;
-    for (int k = 0; k < 2 * size; ++k) {  // twice around: gaps go over the end
-      const CirclePoint& point = found.points[k % size];
-      const bool shown = std::ssize(point.support) >= kMinRimViews;
-      gap = shown ? 0 : gap + 1;
-      longest_gap = std::max(longest_gap, gap);
-      if (k >= size) continue;
-      num_shown += shown;
-      found.score += static_cast<double>(point.support.size());
-    }
-    const Beside beside = LinksBeside(found);
-    const double rms = RmsToEdgelsPx(input_, found.points);
-    if (getenv("CIRC")) {
-      fprintf(stderr, "circle %.2f %.2f %.2f r %.1f px: shown %.2f gap %.0f drawn %.2f rms %.2f\n",
-              found.circle.center.x(), found.circle.center.y(), found.circle.center.z(), radius_px,
-              num_shown / double(size), longest_gap * 360. / size, beside.num_drawn / double(size),
-              rms);
-    }
-    if (num_shown < kMinShownShare * size || longest_gap * 2 * M_PI > kMaxGapRad * size ||
-        beside.num_drawn < kMinDrawnShare * size || rms > kMaxRmsPx) {
-      return std::nullopt;
-    }
-    return found;
-  }
-
-  // Removes the links that are parts of the circle and adds it. Returns how many were removed;
-  // nothing if one link runs all along the circle.
-  std::optional<int64_t> Draw(const FoundCircle& found) {
-    const auto size = static_cast<double>(found.points.size());
-    const Beside beside = LinksBeside(found);
-    if (beside.num_drawn < kMinDrawnShare * size) return std::nullopt;  // a better one took them
-    for (const auto& [id, count] : beside.links) {
+  // Whether a circle explains the edgels worse than what is drawn along it.
+  bool IsOff(const FoundCircle& found, const LinksAlong& along) const {
+    MeanSquare of_circle;
+    for (const CirclePoint& point : found.points) AddResiduals(point, &of_circle);
+    MeanSquare of_links;
+    for (const auto& [id, count] : along.count) {
       const DrawingLink& link = editor_.link(id);
-      if (link.node0 == link.node1 && count > kWholeShare * size) return std::nullopt;
+      for (int k = 0; k < link.size(); ++k) {
+        const Vector3d& position = link.points_in_world[k];
+        if (DistanceFrom(found.circle, position) > kRimPx * found.footprint) continue;
+        AddResiduals({position, {}, link.vertices[k].support}, &of_links);
+      }
     }
+    return of_circle.Get() - of_links.Get() > kMaxOffPx * kMaxOffPx;
+  }
+
+  struct MeanSquare {
+    double sum = 0;
+    int count = 0;
+
+    double Get() const { return count > 0 ? sum / count : 0; }
+  };
+  void AddResiduals(const CirclePoint& point, MeanSquare* mean) const {
+    for (const EdgelRef& ref : point.support) {
+      const auto residual = input_.Residual(ref, point.position);
+      if (!residual) continue;
+      mean->sum += residual->residual_px * residual->residual_px;
+      ++mean->count;
+    }
+  }
+
+  // Adds a circle in the place of the links that are parts of it. Returns their number; nothing if
+  // the circle is drawn whole, or others have taken the links along it.
+  std::optional<int64_t> Draw(const FoundCircle& found) {
+    const LinksAlong along = FindLinksAlong(found);
+    if (!IsDrawn(found, along) || IsWhole(found, along)) return std::nullopt;
     std::set<NodeId> nodes;
     std::vector<LinkId> parts;
-    for (const auto& [id, count] : beside.links) {
-      const auto [begin, end] = RestOf(found, id);
+    for (const auto& [id, count] : along.count) {
       const DrawingLink& link = editor_.link(id);
-      if (begin == 0 && end == link.size()) continue;
+      const auto [begin, end] = TailOf(found, id);
+      const bool is_part = begin == end || IsShort(link, begin, end);
+      if ((begin == 0 && end == link.size()) || (link.closed && !is_part)) continue;
       nodes.insert({link.node0, link.node1});
-      if (end - begin < 2 || ArcPx(link, begin, end - 1) <= (1 - kPartShare) * LengthPx(link) ||
-          ArcPx(link, begin, end - 1) < 3) {
+      if (is_part) {
         parts.push_back(id);
       } else {
         editor_.CutTo(id, begin, end);
         cut_.insert(id);
       }
     }
-    const LinkId circle = AddCircle(found);
-    for (const LinkId id : parts) {
-      editor_.Remove(id);
-    }
+    const LinkId circle = editor_.Add(LinkOf(found));
+    for (const LinkId id : parts) editor_.Unify(circle, id);
     Attach(found, nodes, circle);
-    return static_cast<int64_t>(parts.size());
+    return std::ssize(parts);
   }
 
-  // The points of a link that remain when both ends are cut back as far as they run along a circle.
-  std::pair<int, int> RestOf(const FoundCircle& found, LinkId id) const {
+  bool IsWhole(const FoundCircle& found, const LinksAlong& along) const {
+    return std::ranges::any_of(along.count, [&](const auto& item) {
+      const DrawingLink& link = editor_.link(item.first);
+      return link.node0 == link.node1 &&
+             item.second > kWholeShare * static_cast<double>(found.points.size());
+    });
+  }
+
+  // The points [begin, end) of a link that remain when both ends are cut back as far as they run
+  // along a circle.
+  std::pair<int, int> TailOf(const FoundCircle& found, LinkId id) const {
     const DrawingLink& link = editor_.link(id);
-    const auto is_beside = [&](int k) {
+    const auto is_along = [&](int k) {
       const Vector3d& position = link.points_in_world[k];
-      if (MissOf(found.circle, std::array{position}) > kRimPx * found.footprint) return false;
       const Vector3d tangent = found.circle.Normal().cross(position - found.circle.center);
-      return LineAngleBetween(TangentAt(link, k), tangent) < kRimRad;
+      return DistanceFrom(found.circle, position) <= kRimPx * found.footprint &&
+             LineAngleBetween(TangentAt(link, k), tangent) < kRimRad;
     };
     int begin = 0;
     int end = link.size();
-    while (begin < end && is_beside(begin)) ++begin;
-    while (begin < end && is_beside(end - 1)) --end;
+    while (begin < end && is_along(begin)) ++begin;
+    while (begin < end && is_along(end - 1)) --end;
     return {begin, end};
   }
 
-  LinkId AddCircle(const FoundCircle& found) {
-    DrawingLink link;
-    for (size_t k = 0; k <= found.points.size(); ++k) {
-      const CirclePoint& point = found.points[k % found.points.size()];
-      link.points_in_world.push_back(point.position);
-      LinkVertex vertex;
-      vertex.footprint = found.footprint;
-      vertex.support = point.support;
-      vertex.information = input_.Information(point.support, point.position);
-      link.sigma.push_back(SigmaAcross(vertex.information, found.footprint));
-      for (const EdgelRef& ref : point.support) link.supporting_views.push_back(ref.view);
-      link.vertices.push_back(std::move(vertex));
-    }
-    SortUnique(&link.supporting_views);
-    return editor_.Add(std::move(link));
+  static bool IsShort(const DrawingLink& link, int begin, int end) {
+    const double length_px = ArcPx(link, begin, end - 1);
+    return length_px <= std::max(kMinTailPx, kMinTailShare * LengthPx(link));
   }
 
-  // Takes the nodes at which other links left the parts to the circle.
+  DrawingLink LinkOf(const FoundCircle& found) const {
+    DrawingLink link;
+    for (const CirclePoint& point : found.points) {
+      const Eigen::Matrix3d information = input_.Information(point.support, point.position);
+      link.points_in_world.push_back(point.position);
+      link.sigma.push_back(SigmaAcross(information, found.footprint));
+      link.vertices.push_back({information, found.footprint, 0, point.support, {}});
+      for (const EdgelRef& ref : point.support) link.supporting_views.push_back(ref.view);
+    }
+    link.points_in_world.push_back(link.points_in_world.front());
+    link.sigma.push_back(link.sigma.front());
+    link.vertices.push_back(Bare(link.vertices.front()));
+    SortUnique(&link.supporting_views);
+    return link;
+  }
+
+  // Takes the nodes at which other links leave the circle to it.
   void Attach(const FoundCircle& found, const std::set<NodeId>& nodes, LinkId circle) {
     std::map<int, std::vector<NodeId>> by_point;
     for (const NodeId node : nodes) {
       if (!editor_.IsNode(node)) continue;
       const Vector3d& position = editor_.node(node).position_in_world;
-      if (MissOf(found.circle, std::array{position}) > 2 * found.footprint) continue;
-      const Vector3d offset = position - found.circle.center;
-      const double angle =
-          std::atan2(found.circle.y_axis.dot(offset), found.circle.x_axis.dot(offset));
-      const auto size = static_cast<int>(found.points.size());
-      const int k = static_cast<int>(std::lround(angle / (2 * M_PI) * size)) + size;
-      by_point[k % size].push_back(node);
+      if (DistanceFrom(found.circle, position) > kTakenPx * found.footprint) continue;
+      by_point[NearestPoint(found, position)].push_back(node);
     }
     if (by_point.empty()) return;
-    const auto [first, first_nodes] = *by_point.begin();
-    const NodeId anchor = editor_.Split(circle, first);
-    for (const NodeId node : first_nodes) editor_.MoveEnds(node, anchor);
-    for (auto item = by_point.rbegin(); item->first != first; ++item) {
-      const NodeId cut = editor_.Split(circle, item->first - first);
-      for (const NodeId node : item->second) editor_.MoveEnds(node, cut);
+    // The first cut only rotates the loop to begin there. Of the others the last comes first, so
+    // that those before it are still on the same link.
+    const int first = by_point.begin()->first;
+    TakeNodes(by_point.begin()->second, editor_.Split(circle, first));
+    by_point.erase(by_point.begin());
+    for (const auto& [k, nodes_there] : std::views::reverse(by_point)) {
+      TakeNodes(nodes_there, editor_.Split(circle, k - first));
     }
+  }
+
+  void TakeNodes(const std::vector<NodeId>& nodes, NodeId to) {
+    for (const NodeId node : nodes) editor_.MoveEnds(node, to);
+  }
+
+  static int NearestPoint(const FoundCircle& found, const Vector3d& position) {
+    const Vector3d offset = position - found.circle.center;
+    const double angle =
+        std::atan2(found.circle.y_axis.dot(offset), found.circle.x_axis.dot(offset));
+    const auto size = static_cast<int>(found.points.size());
+    return (static_cast<int>(std::lround(angle / (2 * M_PI) * size)) + size) % size;
   }
 
   const TopologyInput& input_;
@@ -340,7 +386,7 @@ class CircleFinder {
 
 CircleCounts CompleteCircles(const TopologyInput& input, const RunContext& context,
                              GraphEditor* editor) {
-  return CircleFinder(input, editor).Run(context);
+  return CircleCompletion(input, editor).Run(context);
 }
 
 }  // namespace limn

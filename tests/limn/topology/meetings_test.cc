@@ -130,12 +130,14 @@ TEST(PairContinuationsTest, SmoothestPairsAreTaken) {
 TEST(PairContinuationsTest, BendsGoOnThroughNodes) {
   // Between the middles of its tips, 8 px from its ends, this one turns by 76 degrees.
   constexpr double kRadiusPx = 12;
-  FrontalScene ring;
-  ring.Draw(testing::RingThroughOrigin(kRadiusPx));
-  ring.Build();
-  ring.graph.nodes[0].continuations.clear();
-  PairContinuations({}, &ring.graph);
-  EXPECT_EQ(testing::Continuations(ring.graph.nodes[0]), (Pairs{{{0, 0}, {0, 1}}}));
+  for (const double radius_px : {3.0, 5.0, kRadiusPx}) {
+    FrontalScene ring;
+    ring.Draw(testing::RingThroughOrigin(radius_px));
+    ring.Build();
+    ring.graph.nodes[0].continuations.clear();
+    PairContinuations({}, &ring.graph);
+    EXPECT_EQ(testing::Continuations(ring.graph.nodes[0]), (Pairs{{{0, 0}, {0, 1}}}));
+  }
 
   FrontalScene arcs;
   testing::PxLine left = testing::ArcFromOrigin(kRadiusPx, 2);
@@ -160,6 +162,15 @@ TEST(PairContinuationsTest, BendsThatMeetAtACornerDoNotGoOn) {
   const NodeId node = testing::NodeAtPlace(scene.graph, FrontalPoint(0, 0));
   PairContinuations({}, &scene.graph);
   EXPECT_EQ(testing::Continuations(scene.graph.nodes[node]), Pairs());
+}
+
+TEST(PairContinuationsTest, ClosedLinkWithACornerWhereItBeginsDoesNotGoOn) {
+  FrontalScene scene;
+  scene.Draw({{0, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}});
+  scene.Build();
+  ASSERT_TRUE(scene.graph.links[0].closed);
+  PairContinuations({}, &scene.graph);
+  EXPECT_EQ(testing::Continuations(scene.graph.nodes[0]), Pairs());
 }
 
 TEST(PairContinuationsTest, TurnIsAnOption) {
