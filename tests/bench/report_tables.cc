@@ -112,6 +112,55 @@ void PrintStructure(const Json& set, std::ostream& out) {
   out << '\n';
 }
 
+// Sums over the circles of all radii.
+Cells CircleCells(const Json& circles) {
+  int count = 0, one_curve = 0, circle = 0;
+  double covered = 0;
+  bool has_types = false;
+  for (const Json& bin : circles) {
+    count += bin["count"].get<int>();
+    covered += bin["count"].get<int>() * bin["covered"].get<double>();
+    one_curve += bin["one_curve"].get<int>();
+    has_types = has_types || bin.contains("circle");
+    circle += bin.value("circle", 0);
+  }
+  if (count == 0) return {"-", "-", "-", "-"};
+  return {std::to_string(count), Percent(covered / count), std::to_string(one_curve),
+          has_types ? std::to_string(circle) : "-"};
+}
+
+std::string CrossingCell(const Json& crossings) {
+  if (crossings["count"] == 0) return "-";
+  return Count(crossings["found"]) + " (" + Count(crossings["with_degree_4"]) + ") of " +
+         Count(crossings["count"]);
+}
+
+bool HasFeatures(const Json& row) {
+  return !row["circles"].empty() || row["crossings"]["count"] != 0;
+}
+
+// Circles and crossings at the middle tau, where the truth has any.
+void PrintFeatures(const Json& set, std::ostream& out) {
+  const size_t tau = set["taus"].size() / 2;
+  std::vector<Cells> rows;
+  for (const Json& run : Compared(set)) {
+    for (const auto& [box, report] : run["truth"].items()) {
+      const Json& row = report["rows"][tau];
+      if (!HasFeatures(row)) continue;
+      rows.push_back({run["method"], box});
+      Append(CircleCells(row["circles"]), &rows.back());
+      rows.back().push_back(CrossingCell(row["crossings"]));
+    }
+  }
+  if (rows.empty()) return;
+  out << "Circles and crossings of the truth at tau = " << Short(set["taus"][tau]) << ":\n\n";
+  PrintHead({"method", "box", "circles", "covered", "drawn as one curve", "of type circle",
+             "crossings with a node (of degree 4)"},
+            out);
+  for (const Cells& cells : rows) PrintRow(cells, out);
+  out << '\n';
+}
+
 // Programs whose results are not there have no rows.
 void PrintMissingPeers(const Json& set, std::ostream& out) {
   for (const Json& path : set["missing_peers"]) {
@@ -252,6 +301,7 @@ void PrintSet(const Json& set, std::ostream& out) {
   if (!set["ceiling"].is_null()) {
     PrintTruth(set, out);
     PrintStructure(set, out);
+    PrintFeatures(set, out);
     PrintMissingPeers(set, out);
     PrintShareOfCeiling(set, out);
   }

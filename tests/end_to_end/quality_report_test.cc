@@ -13,6 +13,7 @@ namespace limn::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 std::string ReadText(const std::filesystem::path& path) {
@@ -72,7 +73,7 @@ TEST(QualityReport, MeasuresEveryMethod) {
     EXPECT_LT(method.at("held_out").at("to_edgels").at("median_px"), 2.0) << method.at("method");
   }
   EXPECT_TRUE(std::filesystem::exists(dir / "sample-day" / "default-drawing.json"));
-  EXPECT_TRUE(std::filesystem::exists(dir / "report.md"));
+  EXPECT_THAT(ReadText(dir / "report.md"), HasSubstr("Circles and crossings of the truth"));
   ExpectPageOfResults(dir.path());
 }
 
@@ -108,6 +109,7 @@ TEST(QualityReport, ShowsStoredResultsOfOtherPrograms) {
   ASSERT_EQ(set.at("missing_peers").size(), 2u);
   const std::string tables = ReadText(dir / "out/report.md");
   EXPECT_THAT(tables, HasSubstr("| Line3D++ | all |"));
+  EXPECT_THAT(tables, Not(HasSubstr("Circles and crossings")));
   EXPECT_THAT(tables, HasSubstr("Left out, there is no such file: "));
   EXPECT_THAT(tables, HasSubstr("mcs-vase-pub-s50.obj.gz"));
   EXPECT_THAT(tables, HasSubstr("option-all.ply"));

@@ -1,34 +1,24 @@
 #include "limn/evaluation/chain_coverage.h"
 
-#include <cmath>
 #include <limits>
 
-#include "limn/util/angles.h"
+#include "limn/evaluation/parallel_samples.h"
 
 namespace limn {
 namespace {
 
-const double kMinCosine = std::cos(20 * kDeg);
-
 // The true sample that the sample is given to, or -1.
 int NearestParallel(const SampledScene& sampled, int sample,
                     std::vector<SpatialIndex::Neighbor>* scratch) {
-  const CurveSamples& truth = sampled.truth;
   const Eigen::Vector3d& position = sampled.reconstruction.Position(sample);
-  const Eigen::Vector3d direction = sampled.reconstruction.Direction(sample);
-  const double radius = sampled.Radius(1, position);
-  double best = radius * radius;
-  int nearest = -1;
-  truth.FindNear(position, radius, scratch);
+  FindParallel(sampled.truth, position, sampled.reconstruction.Direction(sample),
+               sampled.Radius(1, position), scratch);
+  SpatialIndex::Neighbor nearest{-1, std::numeric_limits<double>::infinity()};
   for (const SpatialIndex::Neighbor& neighbor : *scratch) {
-    if (!(std::abs(direction.dot(truth.Direction(neighbor.index))) >= kMinCosine)) continue;
-    if (!sampled.scene.InRegion(truth.Position(neighbor.index))) continue;
-    const double distance = ClosestPoint(truth.Cell(neighbor.index), position).squared_distance;
-    if (distance > best || (distance == best && nearest >= 0)) continue;
-    best = distance;
-    nearest = neighbor.index;
+    if (neighbor.squared_distance >= nearest.squared_distance) continue;
+    if (sampled.scene.InRegion(sampled.truth.Position(neighbor.index))) nearest = neighbor;
   }
-  return nearest;
+  return nearest.index;
 }
 
 }  // namespace

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "limn/evaluation/circle_scores.h"
 #include "limn/evaluation/curve_bootstrap.h"
 #include "limn/evaluation/curve_samples.h"
 #include "limn/evaluation/curve_topology.h"
 #include "limn/evaluation/duplicates.h"
 #include "limn/evaluation/evaluation_scene.h"
+#include "limn/evaluation/junction_kind_scores.h"
 #include "limn/evaluation/node_scores.h"
+#include "limn/evaluation/pair_scores.h"
 #include "limn/evaluation/quantiles.h"
 #include "limn/model/footprint.h"
 #include "limn/util/errors.h"
@@ -204,7 +207,13 @@ void AddStructure(const SampledScene& sampled, const TrueChains& chains,
   const ChainCoverage coverage = CoverChains(sampled, chains, places, kArmTaus);
   ScorePiecesPerChain(sampled, coverage, &row->structure);
   ScoreJunctions(sampled, chains, row->true_length, &row->structure);
-  ScoreConnectivity(sampled, chains, coverage, &row->structure);
+  FeatureScores& features = row->features;
+  ScoreConnectivity(sampled, chains, coverage, &row->structure, &features.drawn_corners);
+  features.circles = ScoreCircles(sampled);
+  features.corners = ScoreJunctionsOfKind(sampled.scene, JunctionKind::kCorner, sampled.tau);
+  features.tees = ScoreJunctionsOfKind(sampled.scene, JunctionKind::kTee, sampled.tau);
+  features.crossings = ScoreJunctionsOfKind(sampled.scene, JunctionKind::kCrossing, sampled.tau);
+  features.pairs = ScorePairs(sampled, places);
 }
 
 TauResult EvaluateAt(const Scene& scene, double tau) {
@@ -249,7 +258,7 @@ TauResult EvaluateAt(const Scene& scene, double tau) {
 }
 
 EvaluationReport Evaluate(const CurveSet& reconstruction, const CurveSet& truth,
-                          const CurveSet& dont_care, const UnitAt& unit_at,
+                          const CurveSet& dont_care, const UnitAt& unit_at, bool in_footprints,
                           const EvaluationOptions& options, const RunContext& context) {
   options.Check();
   CheckSet(reconstruction, "reconstruction", true);
@@ -261,8 +270,10 @@ EvaluationReport Evaluate(const CurveSet& reconstruction, const CurveSet& truth,
                     options,
                     unit_at,
                     context,
-                    FindTopology(reconstruction.polylines)};
+                    FindTopology(reconstruction.polylines),
+                    in_footprints};
   EvaluationReport report = CountCurves(reconstruction);
+  report.in_footprints = in_footprints;
   for (const double tau : options.taus) report.rows.push_back(EvaluateAt(scene, tau));
   return report;
 }
@@ -273,7 +284,7 @@ EvaluationReport EvaluateCurves(const CurveSet& reconstruction, const CurveSet& 
                                 const EvaluationOptions& options, const CurveSet& dont_care,
                                 const RunContext& context) {
   const UnitAt world_units = [](const Eigen::Vector3d&) { return 1.0; };
-  return Evaluate(reconstruction, truth, dont_care, world_units, options, context);
+  return Evaluate(reconstruction, truth, dont_care, world_units, false, options, context);
 }
 
 EvaluationReport EvaluateCurvesInFootprints(const CurveSet& reconstruction, const CurveSet& truth,
@@ -284,9 +295,7 @@ EvaluationReport EvaluateCurvesInFootprints(const CurveSet& reconstruction, cons
   const UnitAt footprint = [&](const Eigen::Vector3d& point) {
     return PixelFootprint(views, point);
   };
-  EvaluationReport report = Evaluate(reconstruction, truth, dont_care, footprint, options, context);
-  report.in_footprints = true;
-  return report;
+  return Evaluate(reconstruction, truth, dont_care, footprint, true, options, context);
 }
 
 EvaluationReport CountCurves(const CurveSet& reconstruction) {

@@ -7,6 +7,7 @@
 #include "limn/evaluation/camera_accuracy.h"
 #include "limn/evaluation/evaluation_options.h"
 #include "limn/evaluation/face_scores.h"
+#include "limn/evaluation/feature_scores.h"
 #include "limn/evaluation/kind_confusion.h"
 #include "limn/evaluation/normalized_errors.h"
 #include "limn/evaluation/saw_teeth.h"
@@ -47,6 +48,7 @@ struct TauResult {
   // 95 % confidence intervals: bootstrap over links and true chains (curve_bootstrap.h).
   std::optional<Interval> precision_interval, recall_interval, f_interval;
   StructureScores structure;
+  FeatureScores features;
 };
 
 struct EvaluationReport {

@@ -21,6 +21,7 @@ struct EvaluationScene {
   const std::function<double(const Eigen::Vector3d&)>& unit_at;
   const RunContext& context;
   CurveTopology topology;  // of the reconstruction
+  bool in_footprints = false;
 
   bool InRegion(const Eigen::Vector3d& point) const {
     return !options.region || options.region->contains(point);

@@ -12,6 +12,7 @@ namespace limn {
 namespace {
 
 constexpr int kMinJunctionDegree = 3;
+constexpr double kNearFootprints = 3;
 const double kMinArmCosine = std::cos(20 * kDeg);
 // True arms in directions nearer than this are one: copies of a curve.
 const double kSameArmCosine = std::cos(10 * kDeg);
@@ -137,12 +138,36 @@ int CountMatches(const Directions& a, const Directions& b) {
   return static_cast<int>(MatchGreedily(std::move(candidates)).size());
 }
 
-// Links are in one set if nodes near `center` connect them. Of `num_links` links.
-UnionFind ConnectedNear(const SampledScene& sampled, const std::vector<std::vector<int>>& links_at,
-                        const std::vector<SpatialIndex::Neighbor>& nodes) {
+// Nodes of the drawing by place, and the links at each.
+struct DrawnNodes {
+  explicit DrawnNodes(const CurveTopology& topology)
+      : index(PlacesOf(topology)), links_at(topology.nodes.size()) {
+    for (size_t link = 0; link < topology.end_nodes.size(); ++link) {
+      for (const int node : topology.end_nodes[link]) {
+        if (node >= 0) links_at[node].push_back(static_cast<int>(link));
+      }
+    }
+  }
+
+  static std::vector<Eigen::Vector3d> PlacesOf(const CurveTopology& topology) {
+    std::vector<Eigen::Vector3d> places;
+    for (const CurveNode& node : topology.nodes) places.push_back(node.position_in_world);
+    return places;
+  }
+
+  SpatialIndex index;
+  std::vector<std::vector<int>> links_at;
+};
+
+// Links are in one set if nodes near the true node connect them.
+UnionFind ConnectedNear(const SampledScene& sampled, const DrawnNodes& drawn,
+                        const TrueNode& node) {
+  std::vector<SpatialIndex::Neighbor> found;
+  drawn.index.FindWithin(node.position_in_world, RadiusAt(sampled, node.position_in_world), &found);
   UnionFind sets(static_cast<int>(sampled.scene.reconstruction.polylines.size()));
-  for (const SpatialIndex::Neighbor& node : nodes) {
-    for (const int link : links_at[node.index]) sets.Union(links_at[node.index].front(), link);
+  for (const SpatialIndex::Neighbor& near : found) {
+    const std::vector<int>& links = drawn.links_at[near.index];
+    for (const int link : links) sets.Union(links.front(), link);
   }
   return sets;
 }
@@ -170,6 +195,63 @@ bool AreJoined(const std::vector<int>& a, const std::vector<int>& b, UnionFind* 
     }
   }
   return false;
+}
+
+// Whether one of the links has an end within kNearFootprints of the node.
+bool EndsNear(const SampledScene& sampled, const std::vector<int>& links, const TrueNode& node) {
+  const Eigen::Vector3d& position = node.position_in_world;
+  const double radius = kNearFootprints * sampled.scene.unit_at(position);
+  return std::ranges::any_of(links, [&](int link) {
+    const Polyline3d& points = sampled.scene.reconstruction.polylines[link];
+    return (points.front() - position).norm() <= radius ||
+           (points.back() - position).norm() <= radius;
+  });
+}
+
+// Two arms of a true node that are drawn near it.
+struct Meeting {
+  bool is_joined = false;
+  bool ends_near = false;  // both have links that do
+};
+
+std::vector<Meeting> MeetingsAt(const SampledScene& sampled, const TrueChains& chains,
+                                const ChainCoverage& coverage, const TrueNode& node,
+                                const DrawnNodes& drawn_nodes) {
+  UnionFind sets = ConnectedNear(sampled, drawn_nodes, node);
+  std::vector<std::vector<int>> drawn;
+  for (const TrueArm& arm : node.arms) {
+    drawn.push_back(LinksOfArm(sampled, chains, coverage, node, arm));
+    if (drawn.back().empty()) drawn.pop_back();
+  }
+  std::vector<Meeting> meetings;
+  for (size_t i = 0; i < drawn.size(); ++i) {
+    for (size_t j = i + 1; j < drawn.size(); ++j) {
+      meetings.push_back({AreJoined(drawn[i], drawn[j], &sets),
+                          EndsNear(sampled, drawn[i], node) && EndsNear(sampled, drawn[j], node)});
+    }
+  }
+  return meetings;
+}
+
+bool IsCorner(const CurveSet& truth, const TrueNode& node) {
+  const bool has_kinds = std::ranges::any_of(
+      truth.nodes, [](const CurveNode& own) { return own.kind != JunctionKind::kUnknown; });
+  return !has_kinds || node.kind == JunctionKind::kCorner;
+}
+
+void AddCorner(const std::vector<Meeting>& meetings, CornerScores* corners) {
+  if (meetings.empty()) return;
+  int num_open = 0;
+  int num_near = 0;
+  for (const Meeting& meeting : meetings) {
+    num_open += !meeting.is_joined;
+    num_near += !meeting.is_joined && meeting.ends_near;
+  }
+  ++corners->num_drawn;
+  corners->num_open += num_open > 0;
+  corners->num_meetings += static_cast<int>(meetings.size());
+  corners->num_open_meetings += num_open;
+  if (corners->num_open_near) *corners->num_open_near += num_near;
 }
 
 }  // namespace
@@ -226,36 +308,18 @@ void ScoreJunctions(const SampledScene& sampled, const TrueChains& chains, doubl
 }
 
 void ScoreConnectivity(const SampledScene& sampled, const TrueChains& chains,
-                       const ChainCoverage& coverage, StructureScores* scores) {
-  const CurveTopology& topology = sampled.scene.topology;
-  std::vector<Eigen::Vector3d> positions;
-  for (const CurveNode& node : topology.nodes) positions.push_back(node.position_in_world);
-  const SpatialIndex index(positions);
-  std::vector<std::vector<int>> links_at(topology.nodes.size());
-  for (size_t link = 0; link < topology.end_nodes.size(); ++link) {
-    for (const int node : topology.end_nodes[link]) {
-      if (node >= 0) links_at[node].push_back(static_cast<int>(link));
-    }
-  }
-  std::vector<SpatialIndex::Neighbor> found;
+                       const ChainCoverage& coverage, StructureScores* scores,
+                       CornerScores* corners) {
+  const DrawnNodes drawn(sampled.scene.topology);
+  if (sampled.scene.in_footprints) corners->num_open_near = 0;
   int num_joined = 0;
   for (const TrueNode& node : chains.nodes) {
-    const Eigen::Vector3d& position = node.position_in_world;
-    if (node.arms.size() < 2 || !sampled.scene.InRegion(position)) continue;
+    if (node.arms.size() < 2 || !sampled.scene.InRegion(node.position_in_world)) continue;
     if (!IsResolved(sampled, chains, node)) continue;
-    index.FindWithin(position, RadiusAt(sampled, position), &found);
-    UnionFind sets = ConnectedNear(sampled, links_at, found);
-    std::vector<std::vector<int>> drawn;
-    for (const TrueArm& arm : node.arms) {
-      drawn.push_back(LinksOfArm(sampled, chains, coverage, node, arm));
-      if (drawn.back().empty()) drawn.pop_back();
-    }
-    for (size_t i = 0; i < drawn.size(); ++i) {
-      for (size_t j = i + 1; j < drawn.size(); ++j) {
-        ++scores->num_drawn_meetings;
-        if (AreJoined(drawn[i], drawn[j], &sets)) ++num_joined;
-      }
-    }
+    const std::vector<Meeting> meetings = MeetingsAt(sampled, chains, coverage, node, drawn);
+    scores->num_drawn_meetings += static_cast<int>(meetings.size());
+    num_joined += static_cast<int>(std::ranges::count(meetings, true, &Meeting::is_joined));
+    if (IsCorner(sampled.scene.truth, node)) AddCorner(meetings, corners);
   }
   scores->connectivity = Ratio(num_joined, scores->num_drawn_meetings);
 }

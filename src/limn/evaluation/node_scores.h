@@ -1,10 +1,11 @@
 #pragma once
 
 #include "limn/evaluation/chain_coverage.h"
+#include "limn/evaluation/feature_scores.h"
 
 namespace limn {
 
-// Each fills in the scores it is named for.
+// Each fills in the scores it is named for, connectivity also those of corners.
 
 // Free ends; without true chains only their number.
 void ScoreFreeEnds(const SampledScene& sampled, const TrueChains& chains, double true_length,
@@ -20,7 +21,8 @@ void ScoreJunctions(const SampledScene& sampled, const TrueChains& chains, doubl
 // chain if that is shorter. Two arms are joined if a link draws both, or if two links that draw
 // them are connected at nodes within junction_taus of the true node.
 void ScoreConnectivity(const SampledScene& sampled, const TrueChains& chains,
-                       const ChainCoverage& coverage, StructureScores* scores);
+                       const ChainCoverage& coverage, StructureScores* scores,
+                       CornerScores* corners);
 
 // How far from a node its arms are looked at, in taus.
 inline constexpr double kArmTaus = 4;

@@ -7,24 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/evaluation/feature_writers.h"
+#include "limn/evaluation/report_cells.h"
+
 namespace limn {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string Cell(const std::optional<double>& value, int digits) {
-  if (!value) return "-";
-  std::ostringstream text;
-  text << std::setprecision(digits) << *value;
-  return text.str();
-}
-
-std::string Percent(const std::optional<double>& share) {
-  if (!share) return "-";
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << 100 * *share;
-  return text.str();
-}
 
 Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
@@ -77,30 +66,27 @@ Json RowAsJson(const TauResult& row) {
   return json;
 }
 
-std::string Percent(const std::optional<Interval>& interval) {
+std::string Bounds(const std::optional<Interval>& interval) {
   return interval ? Percent(interval->low) + '-' + Percent(interval->high) : "-";
 }
-
-std::string Cell(const std::optional<int>& count) { return count ? std::to_string(*count) : "-"; }
 
 // A table whose first cells are "tau 2".
 void PrintStructure(const EvaluationReport& report, std::ostream& out) {
   constexpr int kWidth = 11;
   const auto print_row = [&](const std::vector<std::string>& cells) {
-    for (const std::string& cell : cells) out << std::setw(kWidth) << cell << ' ';
-    out << '\n';
+    PrintRow(cells, kWidth, out);
   };
   print_row({"interval", "P %", "R %", "F %", "links", "curves", "false ends", "per length",
              "false junc.", "per length", "degree %", "arms P %", "arms R %", "joined %"});
   for (const TauResult& row : report.rows) {
     const StructureScores& scores = row.structure;
-    print_row({"tau " + Cell(row.tau, 4), Percent(row.precision_interval),
-               Percent(row.recall_interval), Percent(row.f_interval),
-               Cell(scores.links_per_chain, 3), Cell(scores.curves_per_chain, 3),
-               Cell(scores.num_false_ends), Cell(scores.false_ends_per_length, 3),
-               Cell(scores.num_false_junctions), Cell(scores.false_junctions_per_length, 3),
-               Percent(scores.right_degrees), Percent(scores.arm_precision),
-               Percent(scores.arm_recall), Percent(scores.connectivity)});
+    print_row({"tau " + Cell(row.tau, 4), Bounds(row.precision_interval),
+               Bounds(row.recall_interval), Bounds(row.f_interval), Cell(scores.links_per_chain, 3),
+               Cell(scores.curves_per_chain, 3), Cell(scores.num_false_ends),
+               Cell(scores.false_ends_per_length, 3), Cell(scores.num_false_junctions),
+               Cell(scores.false_junctions_per_length, 3), Percent(scores.right_degrees),
+               Percent(scores.arm_precision), Percent(scores.arm_recall),
+               Percent(scores.connectivity)});
   }
 }
 
@@ -173,8 +159,7 @@ Json KindsAsJson(const KindConfusion& kinds) {
 void PrintFaces(const FaceScores& scores, std::ostream& out) {
   constexpr int kWidth = 10;
   const auto print_row = [&](const std::vector<std::string>& cells) {
-    for (const std::string& cell : cells) out << std::setw(kWidth) << cell << ' ';
-    out << '\n';
+    PrintRow(cells, kWidth, out);
   };
   print_row({"faces", "P %", "R %", "F %", "right", "covered"});
   for (const FaceTauResult& row : scores.rows) {
@@ -236,8 +221,7 @@ void WriteFacesCsv(const FaceScores& scores, std::ostream& out) {
 void PrintCurves(const EvaluationReport& report, std::ostream& out) {
   constexpr int kWidth = 10;
   const auto print_row = [&](const std::vector<std::string>& cells) {
-    for (const std::string& cell : cells) out << std::setw(kWidth) << cell << ' ';
-    out << '\n';
+    PrintRow(cells, kWidth, out);
   };
   print_row({report.in_footprints ? "tau [rho]" : "tau", "P %", "R %", "F %", "P smpl. %",
              "dupl. %", "accuracy", "complete", "length", "true len.", "junc. P %", "junc. R %"});
@@ -249,6 +233,10 @@ void PrintCurves(const EvaluationReport& report, std::ostream& out) {
                Percent(row.junction_recall)});
   }
   PrintStructure(report, out);
+  if (!report.rows.empty()) {
+    const TauResult& middle = report.rows[report.rows.size() / 2];
+    PrintFeatures(middle.features, middle.tau, out);
+  }
   out << "links " << report.num_links << ", mean length " << Cell(report.mean_link_length, 4)
       << ", total " << Cell(report.total_length, 5) << ", components " << report.num_components
       << '\n';
@@ -306,7 +294,10 @@ void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
   Json json;
   json["unit"] = report.in_footprints ? "footprint" : "world";
   json["rows"] = Json::array();
-  for (const TauResult& row : report.rows) json["rows"].push_back(RowAsJson(row));
+  for (const TauResult& row : report.rows) {
+    json["rows"].push_back(RowAsJson(row));
+    AddFeatures(row.features, &json["rows"].back());
+  }
   json["num_links"] = report.num_links;
   json["num_points"] = report.num_points;
   json["num_ignored_points"] = report.num_ignored_points;

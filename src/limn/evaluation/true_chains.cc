@@ -263,6 +263,7 @@ class ChainFinder {
       TrueNode& node = node_at[place_of_[NumEnds() + i]];
       if (truth_.nodes[i].degree <= node.degree) continue;
       node.degree = truth_.nodes[i].degree;
+      node.kind = truth_.nodes[i].kind;
       node.position_in_world = truth_.nodes[i].position_in_world;
     }
     for (size_t chain = 0; chain < chain_ends_.size(); ++chain) {

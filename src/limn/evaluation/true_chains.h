@@ -26,6 +26,7 @@ struct TrueNode {
   std::vector<TrueArm> arms;
   // That of the truth's own node there, if it has nodes; else the number of arms.
   int degree = 0;
+  JunctionKind kind = JunctionKind::kUnknown;  // that of the truth's own node
 };
 
 // A part of a polyline of the truth, between two of its arc lengths, and where it is on its chain.

@@ -7,6 +7,16 @@
 #include "limn/util/errors.h"
 
 namespace limn {
+namespace {
+
+JunctionKind JunctionKindNamed(const std::string& name) {
+  if (name == "corner") return JunctionKind::kCorner;
+  if (name == "t") return JunctionKind::kTee;
+  if (name == "crossing") return JunctionKind::kCrossing;
+  return JunctionKind::kUnknown;
+}
+
+}  // namespace
 
 std::vector<CurveNode> ReadJunctions(const std::string& path) {
   using Json = nlohmann::ordered_json;
@@ -22,6 +32,9 @@ std::vector<CurveNode> ReadJunctions(const std::string& path) {
       }
       node.degree = IntFromJson(junction.at("degree"));
       if (node.degree < 1) throw IoError(path, "a junction of degree below 1");
+      if (junction.contains("kind")) {
+        node.kind = JunctionKindNamed(junction.at("kind").get<std::string>());
+      }
       nodes.push_back(node);
     }
   } catch (const std::exception&) {

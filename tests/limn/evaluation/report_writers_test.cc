@@ -1,6 +1,7 @@
 #include "limn/evaluation/report_writers.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -72,6 +73,47 @@ TEST(ReportWriters, StructureIsToldWhereKnown) {
   EXPECT_EQ(rows.at(0).at("connectivity"), 0.375);
   EXPECT_TRUE(rows.at(1).at("links_per_chain").is_null());
   EXPECT_TRUE(rows.at(1).at("num_false_ends").is_null());
+}
+
+TEST(ReportWriters, FeaturesAreInTextAtTheMiddleTauAndInJson) {
+  EvaluationReport report = SmallReport();
+  std::ostringstream without, with_none, csv, table, json;
+  PrintReport(report, without);
+  for (const char* word : {"circles", "crossings", "corners", "pairs"}) {
+    EXPECT_THAT(without.str(), Not(HasSubstr(word)));
+  }
+  FeatureScores& features = report.rows[1].features;
+  features.circles = {{4, 6, 7, 0.375, 5, 3, 2},
+                      {30, std::numeric_limits<double>::infinity(), 1, 1, 1, 1, std::nullopt}};
+  features.crossings = {81, 40, 20};
+  features.tees = {60, 50, 1};
+  features.corners = {12, 11, 2};
+  features.pairs = {{2, 2.5, 0, std::nullopt}, {2.5, 4, 1.5, 0.625}};
+  features.drawn_corners = {10, 4, 30, 6, 5};
+  WriteReportCsv(SmallReport(), with_none);
+  WriteReportCsv(report, csv);
+  EXPECT_EQ(csv.str(), with_none.str());
+  PrintReport(report, table);
+  EXPECT_THAT(table.str(), HasSubstr("     4 to 6           7        37.5           5           3 "
+                                     "          2 \n"));
+  EXPECT_THAT(table.str(), HasSubstr("    from 30           1       100.0           1           1 "
+                                     "          - \n"));
+  EXPECT_THAT(table.str(), HasSubstr("40 of 81 crossings (20 with one of degree 4), 50 of 60 T "
+                                     "junctions, 11 of 12 corners"));
+  EXPECT_THAT(table.str(), HasSubstr("4 of 10 drawn corners, 6 of 30 meetings, 5 with"));
+  EXPECT_THAT(table.str(), HasSubstr(": 62.5 % of those 2.5 to 4 rho apart\n"));
+  WriteReportJson(report, json);
+  const nlohmann::json row = nlohmann::json::parse(json.str()).at("rows").at(1);
+  EXPECT_EQ(row.at("circles").at(0).at("covered"), 0.375);
+  EXPECT_EQ(row.at("circles").at(0).at("circle"), 2);
+  EXPECT_TRUE(row.at("circles").at(1).at("to").is_null());
+  EXPECT_FALSE(row.at("circles").at(1).contains("circle"));
+  EXPECT_EQ(row.at("crossings").at("with_degree_4"), 20);
+  EXPECT_EQ(row.at("t_junctions").at("found"), 50);
+  EXPECT_EQ(row.at("corners").at("count"), 12);
+  EXPECT_EQ(row.at("corners").at("open_meetings_near"), 5);
+  EXPECT_TRUE(row.at("pairs").at(0).at("recall").is_null());
+  EXPECT_EQ(row.at("pairs").at(1).at("recall"), 0.625);
 }
 
 TEST(ReportWriters, KindsAreInTextAndJson) {

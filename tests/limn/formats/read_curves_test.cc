@@ -162,10 +162,25 @@ TEST(ReadJunctions, PositionsAndDegrees) {
   ASSERT_EQ(nodes.size(), 1u);
   EXPECT_EQ(nodes[0].position_in_world, Eigen::Vector3d(1, 2.5, -3));
   EXPECT_EQ(nodes[0].degree, 4);
+  EXPECT_EQ(nodes[0].kind, JunctionKind::kUnknown);
   for (const char* bad : {"{}", R"({"junctions": [{"degree": 3}]})", "[",
                           R"({"junctions": [{"position": [1, 2], "degree": 3}]})",
-                          R"({"junctions": [{"position": [1, 2, 3], "degree": 0}]})"}) {
+                          R"({"junctions": [{"position": [1, 2, 3], "degree": 0}]})",
+                          R"({"junctions": [{"position": [1, 2, 3], "degree": 3, "kind": 1}]})"}) {
     EXPECT_THROW(ReadJunctions(folder.Write("bad.json", bad)), IoError) << bad;
+  }
+}
+
+TEST(ReadJunctions, Kinds) {
+  const TemporaryFolder folder;
+  for (const auto& [name, kind] :
+       {std::pair("corner", JunctionKind::kCorner), std::pair("t", JunctionKind::kTee),
+        std::pair("crossing", JunctionKind::kCrossing),
+        std::pair("knot", JunctionKind::kUnknown)}) {
+    const std::string text = R"({"junctions": [{"position": [1, 2, 3], "degree": 3, "kind": ")";
+    const auto nodes = ReadJunctions(folder.Write("j.json", text + name + "\"}]}"));
+    ASSERT_EQ(nodes.size(), 1u);
+    EXPECT_EQ(nodes[0].kind, kind) << name;
   }
 }
 

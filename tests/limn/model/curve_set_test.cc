@@ -24,6 +24,17 @@ TEST(CurveSet, OfADrawingHasItsLinksAndNodes) {
   EXPECT_EQ(set.nodes[1].position_in_world.x(), 1);
 }
 
+TEST(CurveSet, TellsWhichLinksAreCircles) {
+  DrawingGraph graph;
+  graph.links.resize(3);
+  CircularArc arc;
+  arc.sweep_rad = 2 * M_PI;
+  graph.links[1].primitive = LinkPrimitive{arc};
+  arc.sweep_rad = M_PI;
+  graph.links[2].primitive = LinkPrimitive{arc};
+  EXPECT_EQ(ToCurveSet(graph).is_circle, std::vector<uint8_t>({0, 1, 0}));
+}
+
 TEST(CurveSet, ClosedSketchCurvesReturnToTheirStart) {
   CurveSketch sketch;
   sketch.curves.resize(2);
