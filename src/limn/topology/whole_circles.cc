@@ -53,10 +53,9 @@ constexpr SupportGate kShownGate = {1.0, 1.0, 20 * kDeg};
 constexpr double kMaxOffPx = 0.28;
 // A circle is drawn already if one loop runs along this share of it.
 constexpr double kWholeShare = 0.9;
-// What remains of a link beside a circle goes with it if it is shorter than this, px, or than this
-// share of the link.
+// A link is part of a circle if this share of it is near, or if what remains of it is shorter, px.
+constexpr double kMinPartShare = 0.8;
 constexpr double kMinTailPx = 3;
-constexpr double kMinTailShare = 0.2;
 // Nodes this near to a circle are taken to it, px.
 constexpr double kTakenPx = 2;
 
@@ -275,14 +274,16 @@ class CircleCompletion {
   // the circle is drawn whole, or others have taken the links along it.
   std::optional<int64_t> Draw(const FoundCircle& found) {
     const LinksAlong along = FindLinksAlong(found);
-    if (!IsDrawn(found, along) || IsWhole(found, along)) return std::nullopt;
+    if (!IsDrawn(found, along) || IsWhole(found, along) || IsAdded(found)) return std::nullopt;
+    added_.push_back(found.circle);
     std::set<NodeId> nodes;
     std::vector<LinkId> parts;
     for (const auto& [id, count] : along.count) {
       const DrawingLink& link = editor_.link(id);
       const auto [begin, end] = TailOf(found, id);
-      const bool is_part = begin == end || IsShort(link, begin, end);
-      if ((begin == 0 && end == link.size()) || (link.closed && !is_part)) continue;
+      const bool is_part = IsPart(found, link) || IsShort(link, begin, end);
+      const bool is_cut = begin > 0 || end < link.size();
+      if (!is_part && (!is_cut || link.closed)) continue;
       nodes.insert({link.node0, link.node1});
       if (is_part) {
         parts.push_back(id);
@@ -305,6 +306,25 @@ class CircleCompletion {
     });
   }
 
+  // Whether most of it is near a circle that was added.
+  bool IsAdded(const FoundCircle& found) const {
+    return std::ranges::any_of(added_, [&](const CircularArc& circle) {
+      const auto is_near = [&](const CirclePoint& point) {
+        return DistanceFrom(circle, point.position) <= kRimPx * found.footprint;
+      };
+      return 2 * std::ranges::count_if(found.points, is_near) > std::ssize(found.points);
+    });
+  }
+
+  // Whether most of a link is near a circle, whatever its direction: chords turn at their ends.
+  static bool IsPart(const FoundCircle& found, const DrawingLink& link) {
+    const auto is_near = [&](const Vector3d& point) {
+      return DistanceFrom(found.circle, point) <= kRimPx * found.footprint;
+    };
+    return static_cast<double>(std::ranges::count_if(link.points_in_world, is_near)) >=
+           kMinPartShare * link.size();
+  }
+
   // The points [begin, end) of a link that remain when both ends are cut back as far as they run
   // along a circle.
   std::pair<int, int> TailOf(const FoundCircle& found, LinkId id) const {
@@ -323,8 +343,7 @@ class CircleCompletion {
   }
 
   static bool IsShort(const DrawingLink& link, int begin, int end) {
-    const double length_px = ArcPx(link, begin, end - 1);
-    return length_px <= std::max(kMinTailPx, kMinTailShare * LengthPx(link));
+    return end - begin < 2 || ArcPx(link, begin, end - 1) <= kMinTailPx;
   }
 
   DrawingLink LinkOf(const FoundCircle& found) const {
@@ -379,6 +398,7 @@ class CircleCompletion {
   GraphEditor& editor_;
   const Places places_;
   const SpatialIndex index_;
+  std::vector<CircularArc> added_;
   std::set<LinkId> cut_;  // their points are no longer those of places_
 };
 
