@@ -44,6 +44,12 @@ void CheckSet(const CurveSet& set, const char* name, bool may_be_empty) {
   const auto check_finite = [&](const Eigen::Vector3d& point) {
     if (!point.allFinite()) throw InputError(std::string(name) + ": a point is not finite");
   };
+  const auto is_per_polyline = [&](size_t count) {
+    return count == 0 || count == set.polylines.size();
+  };
+  if (!is_per_polyline(set.curves.size()) || !is_per_polyline(set.is_circle.size())) {
+    throw InputError(std::string(name) + ": curves or types of some polylines only");
+  }
   bool empty = set.points.empty();
   for (const Polyline3d& polyline : set.polylines) {
     std::for_each(polyline.begin(), polyline.end(), check_finite);

@@ -6,7 +6,7 @@
 namespace limn {
 
 // How single features of the truth are drawn, at one tau. Only those inside the region count.
-// Lengths are in the unit of tau.
+// Lengths are in the unit of tau unless stated.
 
 // Circles of the truth whose radius is from `from` to below `to`: closed polylines whose points lie
 // within 1 % of their mean radius of a circle. A link or curve covers a sample of the circle if it
@@ -25,7 +25,8 @@ struct CircleScores {
 // Of the true junctions of one kind, those with a node within junction_taus.
 struct JunctionKindScores {
   int num_junctions = 0;
-  // Of degree 3 or more, or of degree 2 at a corner of two curves.
+  // Of degree 3 or more, or, at a corner of two curves, of degree 2, which a closed curve has where
+  // it begins.
   int num_found = 0;
   int num_with_4 = 0;  // of degree 4 or more
 };

@@ -185,6 +185,15 @@ std::string ValidateShape(const CurveShape& shape) {
   return std::visit([](const auto& s) -> std::string { return Broken(s); }, shape);
 }
 
+double AngleOn(const CircularArc& arc, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d offset = point - arc.center;
+  return std::atan2(arc.y_axis.dot(offset), arc.x_axis.dot(offset));
+}
+
+double DistanceFromCircle(const CircularArc& arc, const Eigen::Vector3d& point) {
+  return (point - ArcPoint(arc, AngleOn(arc, point))).norm();
+}
+
 Eigen::Vector3d PointAt(const CurveShape& shape, double t) {
   return std::visit(
       Overloaded{[&](const LineSegment& line) -> Eigen::Vector3d {

@@ -48,6 +48,11 @@ const char* ShapeName(const CurveShape& shape);
 // not clamped, have the wrong number or allow a jump.
 std::string ValidateShape(const CurveShape& shape);
 
+// Of a point, or of its projection to the plane of an arc, from x_axis to y_axis, in (-pi, pi].
+double AngleOn(const CircularArc& arc, const Eigen::Vector3d& point);
+// From the whole circle.
+double DistanceFromCircle(const CircularArc& arc, const Eigen::Vector3d& point);
+
 Eigen::Vector3d PointAt(const CurveShape& shape, double t);
 // With respect to t.
 Eigen::Vector3d DerivativeAt(const CurveShape& shape, double t);

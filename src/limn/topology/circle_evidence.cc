@@ -55,13 +55,13 @@ std::vector<CirclePoint> LookAlongCircle(const TopologyInput& input, const Circu
                                          const SupportGate& gate) {
   const int count =
       std::max(kMinRimPoints, static_cast<int>(std::lround(2 * M_PI * circle.radius / footprint)));
+  const CurveShape shape = circle;
   std::vector<CirclePoint> points(count);
   for (int k = 0; k < count; ++k) {
-    const double angle = 2 * M_PI * k / count;
     CirclePoint& point = points[k];
-    point.position = circle.center + circle.radius * (std::cos(angle) * circle.x_axis +
-                                                      std::sin(angle) * circle.y_axis);
-    point.tangent = std::cos(angle) * circle.y_axis - std::sin(angle) * circle.x_axis;
+    const double t = static_cast<double>(k) / count;
+    point.position = PointAt(shape, t);
+    point.tangent = DerivativeAt(shape, t).normalized();
     for (const ViewId v : views) {
       const auto edgel = input.EdgelAt(v, point.position, point.tangent, gate);
       if (edgel) point.support.push_back(*edgel);

@@ -17,7 +17,8 @@ struct CirclePoint {
   std::vector<EdgelRef> support;                       // one per view at most
 };
 
-// Points of a circle about 1 px apart, 12 at least, with the edgels of some views.
+// Points of a whole circle (sweep_rad 2 pi) about 1 px apart, 12 at least, with the edgels of some
+// views.
 std::vector<CirclePoint> LookAlongCircle(const TopologyInput& input, const CircularArc& circle,
                                          double footprint, std::span<const ViewId> views,
                                          const SupportGate& gate);

@@ -47,12 +47,12 @@ struct RepairCounts {
 };
 
 // Repairs topological errors that a fit to the images reveals, so that the next fit can benefit
-// (ours; algorithm/refinement.md#repairs-between-fits). Draws long edges between joints anew, cuts
-// back free ends that run along other links, joins ends, moves them to the nodes and links that
-// they meet, splits links at corners, grows edges between the nodes, which are now in the right
-// places, dissolves nodes where one curve continues, and makes nodes where links cross. Links
-// without vertices are left alone; the others need a point about every px. The graph passes
-// Validate() before and after.
+// (ours; algorithm/refinement.md#repairs-between-fits). Draws long edges between joints anew
+// and circles whole, cuts back free ends that run along other links, joins ends, moves them to the
+// nodes and links that they meet, splits links at corners, grows edges between the nodes, which are
+// now in the right places, dissolves nodes where one curve continues, and makes nodes where links
+// cross. Links without vertices are left alone; the others need a point about every px. The graph
+// passes Validate() before and after.
 RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& options,
                             const RunContext& context, DrawingGraph* graph);
 

@@ -21,6 +21,7 @@ constexpr double kTipSkipPx = 2;
 constexpr double kTipLengthPx = 12;
 // A bend is measured on tips of at least this many points.
 constexpr size_t kMinBendPoints = 5;
+constexpr int kSeamReach = 4;
 constexpr int kMaxProbes = 60;
 // Upper limit of a standard deviation, px.
 constexpr double kWeakSigmaPx = 30;
@@ -94,7 +95,8 @@ double TurnBetween(const LinkTip& a, const LinkTip& b) {
 double SeamTurn(const DrawingLink& link) {
   const std::vector<Eigen::Vector3d>& points = link.points_in_world;
   const int count = link.size() - 1;  // the last point is the first one
-  const int reach = std::max(1, count / 8);
+  const int reach = std::min(count / 8, kSeamReach);
+  if (reach == 0) return M_PI;
   std::vector<double> turns;
   for (int k = 0; k < count; ++k) {
     const Eigen::Vector3d& before = points[(k + count - reach) % count];

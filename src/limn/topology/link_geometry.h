@@ -39,7 +39,8 @@ LinkTip TipOf(const DrawingLink& link, int end);
 double TurnBetween(const LinkTip& a, const LinkTip& b);
 
 // How much more a closed link turns where it begins than it does elsewhere, in the median, rad:
-// between chords of an eighth of its points. 0 on a circle, however small.
+// between chords of 4 points, or of an eighth of a short link. Near 0 on a circle, however small;
+// pi for fewer than 8 points, which are no circle.
 double SeamTurn(const DrawingLink& link);
 
 // The angle between two directions, rad; pi / 2 if one is zero, which continues nothing.

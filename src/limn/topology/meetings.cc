@@ -40,7 +40,7 @@ void PairAt(double max_turn_rad, const DrawingGraph& graph, DrawingNode* node_at
     tips.push_back(TipOf(graph.links[end.link], end.end, footprint));
   }
   node.continuations.clear();
-  // Tips are too long for small rings.
+  // Of a small ring a tip is a large part.
   if (node.kind == NodeKind::kLoopAnchor && SeamTurn(graph.links[known->link]) < max_turn_rad) {
     node.continuations.push_back({node.incident[0], node.incident[1]});
     return;

@@ -17,7 +17,6 @@
 #include "limn/geometry/spatial_index.h"
 #include "limn/topology/circle_evidence.h"
 #include "limn/topology/link_geometry.h"
-#include "limn/topology/meetings.h"
 #include "limn/util/angles.h"
 #include "limn/util/map_items.h"
 #include "limn/util/sort_unique.h"
@@ -40,7 +39,7 @@ constexpr double kMeetPx = 4;
 constexpr double kRimPx = 1.2;
 constexpr double kRimRad = 35 * kDeg;
 // The least share of a circle along which links run, the least that images show, and the longest
-// part that neither shows.
+// part that they do not show.
 constexpr double kMinDrawnShare = 0.4;
 constexpr double kMinShownShare = 0.8;
 constexpr double kMaxGapRad = 50 * kDeg;
@@ -53,9 +52,8 @@ constexpr SupportGate kShownGate = {1.0, 1.0, 20 * kDeg};
 constexpr double kMaxOffPx = 0.28;
 // A circle is drawn already if one loop runs along this share of it.
 constexpr double kWholeShare = 0.9;
-// A link is part of a circle if this share of it is near, or if what remains of it is shorter, px.
-constexpr double kMinPartShare = 0.8;
-constexpr double kMinTailPx = 3;
+// A link is part of a circle if no more than this remains of it, px.
+constexpr double kMinRestPx = 6;
 // Nodes this near to a circle are taken to it, px.
 constexpr double kTakenPx = 2;
 
@@ -84,10 +82,9 @@ double MeanFootprint(const DrawingLink& link) {
   return sum / static_cast<double>(link.vertices.size());
 }
 
-double DistanceFrom(const CircularArc& circle, const Vector3d& point) {
-  const Vector3d offset = point - circle.center;
-  const double height = circle.Normal().dot(offset);
-  return std::hypot(height, (offset - height * circle.Normal()).norm() - circle.radius);
+bool IsFitted(const DrawingLink& link) {
+  return std::ranges::any_of(link.vertices,
+                             [](const LinkVertex& vertex) { return !vertex.support.empty(); });
 }
 
 // Whether images show enough of a circle.
@@ -109,10 +106,7 @@ bool IsShown(const std::vector<CirclePoint>& points) {
 class CircleCompletion {
  public:
   CircleCompletion(const TopologyInput& input, GraphEditor* editor)
-      : input_(input),
-        editor_(*editor),
-        places_(CollectPlaces(editor->graph())),
-        index_(places_.position) {}
+      : input_(input), editor_(*editor) {}
 
   CircleCounts Run(const RunContext& context) {
     CircleCounts counts;
@@ -143,7 +137,7 @@ class CircleCompletion {
   std::vector<Candidate> Candidates() const {
     std::vector<LinkId> links;
     for (LinkId id = 0; id < editor_.NumLinks(); ++id) {
-      if (!editor_.link(id).closed && !editor_.link(id).vertices.empty()) links.push_back(id);
+      if (!editor_.link(id).closed && IsFitted(editor_.link(id))) links.push_back(id);
     }
     std::vector<Candidate> candidates;
     const auto add = [&](std::span<const LinkId> ids, double max_radius_px) {
@@ -174,7 +168,7 @@ class CircleCompletion {
     const double radius_px = circle->radius / candidate.footprint;
     if (radius_px < kMinRadiusPx || radius_px > max_radius_px) return std::nullopt;
     const auto is_off = [&](const Vector3d& point) {
-      return DistanceFrom(*circle, point) > kMaxMissPx * candidate.footprint;
+      return DistanceFromCircle(*circle, point) > kMaxMissPx * candidate.footprint;
     };
     if (std::ranges::any_of(points, is_off)) return std::nullopt;
     candidate.circle = *circle;
@@ -192,7 +186,8 @@ class CircleCompletion {
     std::set<std::pair<LinkId, LinkId>> pairs;
     for (size_t e = 0; e < ends.size(); ++e) {
       const LinkId id = links[e / 2];
-      index.FindWithin(ends[e], kMeetPx * editor_.link(id).vertices.front().footprint, &near);
+      const double footprint = TipOf(editor_.link(id), static_cast<int>(e % 2)).footprint;
+      index.FindWithin(ends[e], kMeetPx * footprint, &near);
       for (const SpatialIndex::Neighbor& neighbor : near) {
         const LinkId other = links[neighbor.index / 2];
         if (other != id) pairs.insert(std::minmax(id, other));
@@ -219,20 +214,40 @@ class CircleCompletion {
 
   LinksAlong FindLinksAlong(const FoundCircle& found) const {
     LinksAlong along;
-    std::vector<SpatialIndex::Neighbor> near;
-    for (const CirclePoint& point : found.points) {
-      index_.FindWithin(point.position, kRimPx * found.footprint, &near);
-      std::set<LinkId> here;
-      for (const SpatialIndex::Neighbor& neighbor : near) {
-        const auto& [id, k] = places_.point[neighbor.index];
-        if (!editor_.IsLink(id) || cut_.contains(id)) continue;
-        const Vector3d tangent = TangentAt(editor_.link(id), k);
-        if (LineAngleBetween(tangent, point.tangent) < kRimRad) here.insert(id);
+    std::set<int> drawn;
+    for (LinkId id = 0; id < editor_.NumLinks(); ++id) {
+      if (!editor_.IsLink(id) || !IsFitted(editor_.link(id))) continue;
+      std::set<int> by_link;
+      for (int k = 0; k < editor_.link(id).size(); ++k) {
+        if (!RunsAlong(found, editor_.link(id), k)) continue;
+        const double place = PlaceOf(found, editor_.link(id).points_in_world[k]);
+        for (const double at : {std::floor(place), std::ceil(place)}) {
+          by_link.insert(static_cast<int>(at) % static_cast<int>(found.points.size()));
+        }
       }
-      along.num_drawn += !here.empty();
-      for (const LinkId id : here) ++along.count[id];
+      if (by_link.empty()) continue;
+      along.count[id] = static_cast<int>(by_link.size());
+      drawn.merge(by_link);
     }
+    along.num_drawn = static_cast<int>(drawn.size());
     return along;
+  }
+
+  static bool IsNear(const FoundCircle& found, const Vector3d& point, double within_px = kRimPx) {
+    return DistanceFromCircle(found.circle, point) <= within_px * found.footprint;
+  }
+
+  static bool RunsAlong(const FoundCircle& found, const DrawingLink& link, int k) {
+    const Vector3d& point = link.points_in_world[k];
+    if (!IsNear(found, point)) return false;
+    const Vector3d tangent = found.circle.Normal().cross(point - found.circle.center);
+    return LineAngleBetween(TangentAt(link, k), tangent) < kRimRad;
+  }
+
+  // Where a place is among the points of a circle.
+  static double PlaceOf(const FoundCircle& found, const Vector3d& point) {
+    const double turns = AngleOn(found.circle, point) / (2 * M_PI);
+    return (turns < 0 ? turns + 1 : turns) * static_cast<double>(found.points.size());
   }
 
   static bool IsDrawn(const FoundCircle& found, const LinksAlong& along) {
@@ -248,7 +263,7 @@ class CircleCompletion {
       const DrawingLink& link = editor_.link(id);
       for (int k = 0; k < link.size(); ++k) {
         const Vector3d& position = link.points_in_world[k];
-        if (DistanceFrom(found.circle, position) > kRimPx * found.footprint) continue;
+        if (!IsNear(found, position)) continue;
         AddResiduals({position, {}, link.vertices[k].support}, &of_links);
       }
     }
@@ -275,13 +290,13 @@ class CircleCompletion {
   std::optional<int64_t> Draw(const FoundCircle& found) {
     const LinksAlong along = FindLinksAlong(found);
     if (!IsDrawn(found, along) || IsWhole(found, along) || IsAdded(found)) return std::nullopt;
-    added_.push_back(found.circle);
+    added_.push_back(found);
     std::set<NodeId> nodes;
     std::vector<LinkId> parts;
     for (const auto& [id, count] : along.count) {
       const DrawingLink& link = editor_.link(id);
-      const auto [begin, end] = TailOf(found, id);
-      const bool is_part = IsPart(found, link) || IsShort(link, begin, end);
+      const auto [begin, end] = RestOf(found, link);
+      const bool is_part = end - begin < 2 || ArcPx(link, begin, end - 1) <= kMinRestPx;
       const bool is_cut = begin > 0 || end < link.size();
       if (!is_part && (!is_cut || link.closed)) continue;
       nodes.insert({link.node0, link.node1});
@@ -289,11 +304,11 @@ class CircleCompletion {
         parts.push_back(id);
       } else {
         editor_.CutTo(id, begin, end);
-        cut_.insert(id);
       }
     }
     const LinkId circle = editor_.Add(LinkOf(found));
     for (const LinkId id : parts) editor_.Unify(circle, id);
+    RemoveBetween(found, nodes);
     Attach(found, nodes, circle);
     return std::ssize(parts);
   }
@@ -306,44 +321,39 @@ class CircleCompletion {
     });
   }
 
-  // Whether most of it is near a circle that was added.
+  // Whether it is a circle that was added, which other links may have cut since.
   bool IsAdded(const FoundCircle& found) const {
-    return std::ranges::any_of(added_, [&](const CircularArc& circle) {
-      const auto is_near = [&](const CirclePoint& point) {
-        return DistanceFrom(circle, point.position) <= kRimPx * found.footprint;
-      };
+    return std::ranges::any_of(added_, [&](const FoundCircle& added) {
+      const auto is_near = [&](const CirclePoint& point) { return IsNear(added, point.position); };
       return 2 * std::ranges::count_if(found.points, is_near) > std::ssize(found.points);
     });
   }
 
-  // Whether most of a link is near a circle, whatever its direction: chords turn at their ends.
-  static bool IsPart(const FoundCircle& found, const DrawingLink& link) {
-    const auto is_near = [&](const Vector3d& point) {
-      return DistanceFrom(found.circle, point) <= kRimPx * found.footprint;
-    };
-    return static_cast<double>(std::ranges::count_if(link.points_in_world, is_near)) >=
-           kMinPartShare * link.size();
-  }
-
-  // The points [begin, end) of a link that remain when both ends are cut back as far as they run
-  // along a circle.
-  std::pair<int, int> TailOf(const FoundCircle& found, LinkId id) const {
-    const DrawingLink& link = editor_.link(id);
-    const auto is_along = [&](int k) {
-      const Vector3d& position = link.points_in_world[k];
-      const Vector3d tangent = found.circle.Normal().cross(position - found.circle.center);
-      return DistanceFrom(found.circle, position) <= kRimPx * found.footprint &&
-             LineAngleBetween(TangentAt(link, k), tangent) < kRimRad;
-    };
+  // The points [begin, end) of a link that remain when both ends are cut back as far as they are
+  // near a circle, in any direction: chords turn at their ends.
+  static std::pair<int, int> RestOf(const FoundCircle& found, const DrawingLink& link) {
     int begin = 0;
     int end = link.size();
-    while (begin < end && is_along(begin)) ++begin;
-    while (begin < end && is_along(end - 1)) --end;
+    while (begin < end && IsNear(found, link.points_in_world[begin])) ++begin;
+    while (begin < end && IsNear(found, link.points_in_world[end - 1])) --end;
     return {begin, end};
   }
 
-  static bool IsShort(const DrawingLink& link, int begin, int end) {
-    return end - begin < 2 || ArcPx(link, begin, end - 1) <= kMinTailPx;
+  // Links between the nodes of parts that do not leave the circle would run back along it.
+  void RemoveBetween(const FoundCircle& found, const std::set<NodeId>& nodes) {
+    std::set<LinkId> between;
+    for (const NodeId node : nodes) {
+      for (const LinkEnd& end : editor_.node(node).incident) {
+        const DrawingLink& link = editor_.link(end.link);
+        const bool stays = std::ranges::all_of(link.points_in_world, [&](const Vector3d& point) {
+          return IsNear(found, point, kTakenPx);
+        });
+        if (stays && nodes.contains(editor_.NodeAt({end.link, 1 - end.end}))) {
+          between.insert(end.link);
+        }
+      }
+    }
+    for (const LinkId id : between) editor_.Remove(id);
   }
 
   DrawingLink LinkOf(const FoundCircle& found) const {
@@ -368,8 +378,9 @@ class CircleCompletion {
     for (const NodeId node : nodes) {
       if (!editor_.IsNode(node)) continue;
       const Vector3d& position = editor_.node(node).position_in_world;
-      if (DistanceFrom(found.circle, position) > kTakenPx * found.footprint) continue;
-      by_point[NearestPoint(found, position)].push_back(node);
+      if (!IsNear(found, position, kTakenPx)) continue;
+      const int k = static_cast<int>(std::lround(PlaceOf(found, position)));
+      by_point[k % static_cast<int>(found.points.size())].push_back(node);
     }
     if (by_point.empty()) return;
     // The first cut only rotates the loop to begin there. Of the others the last comes first, so
@@ -386,20 +397,9 @@ class CircleCompletion {
     for (const NodeId node : nodes) editor_.MoveEnds(node, to);
   }
 
-  static int NearestPoint(const FoundCircle& found, const Vector3d& position) {
-    const Vector3d offset = position - found.circle.center;
-    const double angle =
-        std::atan2(found.circle.y_axis.dot(offset), found.circle.x_axis.dot(offset));
-    const auto size = static_cast<int>(found.points.size());
-    return (static_cast<int>(std::lround(angle / (2 * M_PI) * size)) + size) % size;
-  }
-
   const TopologyInput& input_;
   GraphEditor& editor_;
-  const Places places_;
-  const SpatialIndex index_;
-  std::vector<CircularArc> added_;
-  std::set<LinkId> cut_;  // their points are no longer those of places_
+  std::vector<FoundCircle> added_;
 };
 
 }  // namespace

@@ -15,8 +15,8 @@ struct CircleCounts {
 
 // Draws circles whole that links show in parts: arcs from several sides, or the chords of a small
 // one (ours; algorithm/topology.md#whole-circles). A circle is a closed link until other links end
-// on it. Links without vertices are left alone; the others need a point about every px. Time:
-// candidates times points times views.
+// on it. Links without edgels are left alone; the others need a point about every px. Time:
+// candidates times points times views, plus, per circle that images show, the points of all links.
 CircleCounts CompleteCircles(const TopologyInput& input, const RunContext& context,
                              GraphEditor* editor);
 

@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "limn/formats/colors.h"
 #include "limn/formats/json_kinds_reader.h"
@@ -91,6 +92,28 @@ TEST(WriteDrawing, JsonKeepsTheWholeGraph) {
   // Writing what was read gives the same bytes.
   WriteDrawing(folder.Path("again.json"), file.graph, file.metadata);
   EXPECT_EQ(TemporaryFolder::Read(path), TemporaryFolder::Read(folder.Path("again.json")));
+}
+
+TEST(WriteDrawing, JsonNamesTheCurves) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("d.json");
+  const auto curves = [&](const DrawingGraph& graph) {
+    WriteDrawing(path, graph, SmallMetadata());
+    std::vector<int> names;
+    for (const auto& link : nlohmann::json::parse(TemporaryFolder::Read(path)).at("links")) {
+      names.push_back(link.at("curve"));
+    }
+    return names;
+  };
+  DrawingGraph graph = SmallDrawing();
+  for (DrawingNode& node : graph.nodes) node.continuations.clear();
+  const std::vector<int> alone = curves(graph);
+  for (size_t id = 0; id < alone.size(); ++id) EXPECT_EQ(alone[id], static_cast<int>(id));
+  const auto junction = std::ranges::find(graph.nodes, NodeKind::kJunction, &DrawingNode::kind);
+  ASSERT_NE(junction, graph.nodes.end());
+  const auto [a, b] = std::minmax(junction->incident[0].link, junction->incident[1].link);
+  junction->continuations = {{junction->incident[0], junction->incident[1]}};
+  EXPECT_EQ(curves(graph)[b], a);
 }
 
 TEST(WriteDrawing, JsonKeepsThePrimitives) {

@@ -1,5 +1,6 @@
 #include "limn/geometry/circle_through.h"
 
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Geometry>

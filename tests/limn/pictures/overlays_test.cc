@@ -47,6 +47,29 @@ bool IsColor(const uint8_t* pixel, const Color& color) {
   return pixel[0] == color.red && pixel[1] == color.green && pixel[2] == color.blue;
 }
 
+TEST(DrawOverlay, LinksThatContinueEachOtherHaveOneColor) {
+  DrawingGraph graph = HorizontalLink();
+  const Eigen::Vector3d right(0.45, 0.1, 1);
+  DrawingLink next = graph.links[0];
+  next.points_in_world = {graph.nodes[1].position_in_world, right};
+  next.node0 = 1;
+  next.node1 = 2;
+  graph.nodes.emplace_back().position_in_world = right;
+  graph.links.push_back(next);
+  RebuildIncidence(&graph);
+  PictureOptions options;
+  options.scale = 1;
+  options.line_width_px = 3;
+  options.node_radius_px = 0;
+  const auto is_drawn_as = [&](int curve) {
+    const Picture picture = DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, graph, options);
+    return IsColor(picture.At(88, 60), ColorOfCurve(curve));
+  };
+  EXPECT_TRUE(is_drawn_as(1));
+  graph.nodes[1].continuations = {{{0, 1}, {1, 0}}};
+  EXPECT_TRUE(is_drawn_as(0));
+}
+
 TEST(DrawOverlay, LineIsWhereTheLinkProjects) {
   PictureOptions options;
   options.scale = 1;

@@ -72,17 +72,6 @@ std::optional<CircularArc> ProjectedArc(const BorderPlane& plane, const Circular
   return projected;
 }
 
-double AngleOn(const CircularArc& arc, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d radial = point - arc.center;
-  return std::atan2(arc.y_axis.dot(radial), arc.x_axis.dot(radial));
-}
-
-double DistanceFrom(const CircularArc& arc, const Eigen::Vector3d& point) {
-  const double angle = AngleOn(arc, point);
-  const Eigen::Vector3d radial = std::cos(angle) * arc.x_axis + std::sin(angle) * arc.y_axis;
-  return (point - arc.center - arc.radius * radial).norm();
-}
-
 // Counterclockwise from one vertex to the other.
 TrimmedCurve ArcBetween(CircularArc arc, const Eigen::Vector3d& start, const Eigen::Vector3d& end,
                         bool is_whole) {
@@ -93,7 +82,7 @@ TrimmedCurve ArcBetween(CircularArc arc, const Eigen::Vector3d& start, const Eig
   arc.x_axis = x_axis;
   double sweep = is_whole ? 2 * M_PI : AngleOn(arc, end);
   if (sweep <= 0) sweep += 2 * M_PI;
-  const bool is_exact = std::max(DistanceFrom(arc, start), DistanceFrom(arc, end)) <
+  const bool is_exact = std::max(DistanceFromCircle(arc, start), DistanceFromCircle(arc, end)) <
                         kOnCircle * (arc.radius + arc.center.norm());
   if (is_whole || is_exact) return {GeomCurveOf(CurveShape(arc)), 0, sweep};
   arc.sweep_rad = sweep;

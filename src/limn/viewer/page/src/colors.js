@@ -118,7 +118,7 @@ function byCategory(drawing, types, names) {
 function byOwnColor(drawing) {
   return {
     colors: fillLinks(drawing, (link) => drawing.linkColor.subarray(3 * link, 3 * link + 3)),
-    legend: { note: 'One color per link, as in drawing.ply and the overlays.' },
+    legend: { note: 'One color per curve, as in drawing.ply and the overlays.' },
   };
 }
 
@@ -130,7 +130,7 @@ function byComponent(drawing) {
 }
 
 const SCHEMES = [
-  { id: 'link', label: 'Link', apply: byOwnColor },
+  { id: 'link', label: 'Curve', apply: byOwnColor },
   {
     id: 'support',
     label: 'Supporting views',
