@@ -52,7 +52,7 @@ std::vector<SolidEdge> EdgesOfSolid() {
     for (size_t j = i + 1; j < corners.size(); ++j) {
       if ((corners[i] - corners[j]).norm() > 1.01 * kHalfSide * 2 / kGolden) continue;
       SolidEdge edge = {corners[i], corners[j], {}};
-      for (const Vector3d& normal : Permuted(1, kGolden)) {
+      for (const Vector3d& normal : Permuted(kGolden, 1)) {
         const auto height = [&](const Vector3d& point) { return point.dot(normal); };
         const double top = height(*std::ranges::max_element(corners, {}, height));
         if (std::min(height(corners[i]), height(corners[j])) > top - 1e-9) {
@@ -83,6 +83,7 @@ std::vector<testing::SceneCurve> SeenBy(const View& view, double gap_px) {
 TEST(DodecahedronTest, IsClosed) {
   ASSERT_EQ(CornersOfSolid().size(), 20u);
   ASSERT_EQ(EdgesOfSolid().size(), 30u);
+  for (const SolidEdge& edge : EdgesOfSolid()) ASSERT_EQ(edge.normals.size(), 2u);
   std::vector<View> views = testing::DomeViews(24, 5);
   // From below, too: otherwise no view sees the edges there.
   for (View view : testing::DomeViews(24, 5)) {
