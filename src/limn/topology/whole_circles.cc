@@ -76,6 +76,13 @@ struct LinksAlong {
   int num_drawn = 0;  // points with a link
 };
 
+struct MeanSquare {
+  double sum = 0;
+  int count = 0;
+
+  double Get() const { return count > 0 ? sum / count : 0; }
+};
+
 double MeanFootprint(const DrawingLink& link) {
   double sum = 0;
   for (const LinkVertex& vertex : link.vertices) sum += vertex.footprint;
@@ -270,12 +277,6 @@ class CircleCompletion {
     return of_circle.Get() - of_links.Get() > kMaxOffPx * kMaxOffPx;
   }
 
-  struct MeanSquare {
-    double sum = 0;
-    int count = 0;
-
-    double Get() const { return count > 0 ? sum / count : 0; }
-  };
   void AddResiduals(const CirclePoint& point, MeanSquare* mean) const {
     for (const EdgelRef& ref : point.support) {
       const auto residual = input_.Residual(ref, point.position);
