@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
-#include <Eigen/Geometry>
-
 #include "limn/evaluation/parallel_samples.h"
+#include "limn/geometry/circle_through.h"
 
 namespace limn {
 namespace {
@@ -16,46 +16,22 @@ namespace {
 constexpr double kMaxDeviation = 0.01;  // over the radius
 // Fewer turn by more than 40 degrees at each: corners (true_chains.h).
 constexpr size_t kMinVertices = 9;
-constexpr double kCenterSteps = 64;
 constexpr double kMinCoveredShare = 0.9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const std::vector<double> kRadiiInFootprints = {0, 4, 6, 10, 16, 30, kInfinity};
 const std::vector<double> kRadiiInWorld = {0, kInfinity};
 
-struct Circle {
-  Eigen::Vector3d center;
-  double radius;
-};
-
 bool IsClosed(const Polyline3d& points) {
   return points.size() > 2 && points.front() == points.back();
 }
 
-// Independent of how the vertices are spaced.
-Eigen::Vector3d MeanPoint(const Polyline3d& closed) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  const Polyline3d points = ResampleUniform(closed, Length(closed) / kCenterSteps);
-  for (size_t i = 1; i < points.size(); ++i) sum += points[i];
-  return sum / (points.size() - 1);
-}
-
-std::optional<Circle> FindCircle(const Polyline3d& points) {
-  if (!IsClosed(points) || points.size() <= kMinVertices || !(Length(points) > 0)) return {};
-  const Eigen::Vector3d center = MeanPoint(points);
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double radius = 0;
-  for (size_t i = 1; i < points.size(); ++i) {
-    normal += (points[i - 1] - center).cross(points[i] - center);
-    radius += (points[i] - center).norm() / (points.size() - 1);
-  }
-  normal.normalize();
-  const bool is_round = std::ranges::all_of(points, [&](const Eigen::Vector3d& point) {
-    const Eigen::Vector3d offset = point - center;
-    return std::abs(offset.norm() - radius) <= kMaxDeviation * radius &&
-           std::abs(offset.dot(normal)) <= kMaxDeviation * radius;
-  });
-  if (!is_round) return {};
-  return Circle{center, radius};
+std::optional<CircularArc> FindCircle(const Polyline3d& points) {
+  if (!IsClosed(points) || points.size() <= kMinVertices) return std::nullopt;
+  const auto circle = CircleThrough(points);
+  const auto is_on_circle = [&](const Eigen::Vector3d& point) {
+    return DistanceFromCircle(*circle, point) <= kMaxDeviation * circle->radius;
+  };
+  return circle && std::ranges::all_of(points, is_on_circle) ? circle : std::nullopt;
 }
 
 // How many of the samples of a circle are covered: by anything, and by each link and curve.
