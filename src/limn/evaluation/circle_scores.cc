@@ -1,7 +1,6 @@
 #include "limn/evaluation/circle_scores.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
