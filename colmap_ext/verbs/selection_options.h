@@ -11,6 +11,7 @@ namespace limn::colmap_ext {
 struct SelectionOptions {
   std::string kinds = "default";
   bool tentative = false;
+  bool rods_as_outlines = false;
 
   void AddOptions(OptionParser* parser);
   // Throws OptionError.

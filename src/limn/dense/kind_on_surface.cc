@@ -19,7 +19,8 @@ void Set(LinkKind kind, double confidence, DrawingLink* link) {
 }  // namespace
 
 void UseSurfaceForKind(DrawingLink* link) {
-  if (!link->dense || link->dense->behind_surface || link->kind == LinkKind::kContour) return;
+  if (!link->dense || link->dense->behind_surface) return;
+  if (link->kind == LinkKind::kContour || link->kind == LinkKind::kRod) return;
   const double fold_deg = link->dense->fold_deg;
   if (link->dense->dense_class == DenseClass::kBoundary) {
     Set(LinkKind::kEdge, kBoundaryConfidence, link);

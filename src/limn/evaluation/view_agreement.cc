@@ -26,7 +26,7 @@ std::vector<ViewAgreement> MeasureAgreement(const std::vector<View>& views,
                                             const std::vector<ImageCurves>& curves,
                                             const DrawingGraph& graph) {
   std::vector<double> lengths(views.size(), 0);
-  const LinkSelection selection;
+  const LinkSelection selection = LinkSelection::AsSeen();
   for (const DrawingLink& link : graph.links) {
     if (!selection.Has(link)) continue;
     for (const ViewId v : link.supporting_views) {

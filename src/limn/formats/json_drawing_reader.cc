@@ -191,6 +191,7 @@ DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_i
   link.residual_px = json.at("residual_px").get<double>();
   link.kind = ToKind(json.value("kind", "unknown"));
   link.kind_confidence = json.value("kind_confidence", 0.0);
+  link.rod_radius = json.value("rod_radius", 0.0);
   link.tentative = json.value("tentative", false);
   link.doubt = ToDoubt(json.value("doubt", ""));
   if (json.contains("dense")) link.dense = ToDense(json.at("dense"));

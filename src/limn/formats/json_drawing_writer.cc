@@ -125,6 +125,7 @@ Json ToJson(const DrawingLink& link, size_t id, LinkId curve,
                {"residual_px", link.residual_px}};
   json["kind"] = LinkKindName(link.kind);
   if (link.kind != LinkKind::kUnknown) json["kind_confidence"] = link.kind_confidence;
+  if (link.kind == LinkKind::kRod) json["rod_radius"] = link.rod_radius;
   if (link.tentative) json["tentative"] = true;
   if (link.doubt != LinkDoubt::kNone) json["doubt"] = LinkDoubtName(link.doubt);
   if (link.dense) json["dense"] = ToJson(*link.dense);

@@ -120,6 +120,7 @@ EndRef ToEndRef(const Value& value) {
 LinkKind ToKind(const Value& value) {
   const std::string name = value.Text();
   const auto kind = LinkKindNamed(name);
+  if (kind == LinkKind::kRod) value.Fail("a rod needs two outlines: no link is made one by hand");
   if (!kind) value.Fail("unknown kind of link \"" + Printable(name.substr(0, 40)) + "\"");
   return *kind;
 }

@@ -64,7 +64,7 @@ StageSummary Summarize(const DrawingGraph& graph) {
   summary.stage = "kinds of edges";
   summary.in = {{"links", static_cast<int64_t>(graph.links.size())}};
   for (const LinkKind kind : {LinkKind::kEdge, LinkKind::kPaint, LinkKind::kShadow,
-                              LinkKind::kContour, LinkKind::kUnknown}) {
+                              LinkKind::kContour, LinkKind::kRod, LinkKind::kUnknown}) {
     summary.kept.emplace_back(std::string("links: ") + LinkKindName(kind),
                               counts[static_cast<int>(kind)]);
   }
@@ -107,7 +107,7 @@ KindsResult ClassifyKinds(const KindsInput& input, const RunContext& context) {
   KindsResult result = {input.graph, {}};
   for (size_t l = 0; l < evidence.size(); ++l) {
     DrawingLink& link = result.graph.links[l];
-    if (link.kind == LinkKind::kContour) continue;
+    if (link.kind == LinkKind::kContour || link.kind == LinkKind::kRod) continue;
     const KindOfLink kind = Classify(evidence[l], light_variation);
     link.kind = kind.kind;
     link.kind_confidence = kind.confidence;

@@ -37,7 +37,7 @@ struct KindsResult {
 };
 
 // Classifies every link as a kind of edge, by what the images show on its two sides (ours;
-// algorithm/kinds.md). Links already known to be contours stay contours. Reads every image that
+// algorithm/kinds.md). Contours and rods, which are known already, stay so. Reads every image that
 // supports a link once; at most one image per thread is in memory. Throws what read_image throws,
 // and Cancelled.
 KindsResult ClassifyKinds(const KindsInput& input, const RunContext& context);

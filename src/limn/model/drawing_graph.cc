@@ -1,6 +1,7 @@
 #include "limn/model/drawing_graph.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "limn/geometry/polyline.h"
@@ -11,9 +12,9 @@ namespace {
 
 constexpr NameTable<NodeKind, 3> kNodeKinds = {{"end", "junction", "loop_anchor"}};
 constexpr NameTable<LinkKind, kNumLinkKinds> kLinkKinds = {
-    {"unknown", "edge", "paint", "shadow", "contour"}};
+    {"unknown", "edge", "paint", "shadow", "contour", "rod"}};
 constexpr NameTable<LinkDoubt, kNumLinkDoubts> kLinkDoubts = {
-    {"", "few views", "chance", "seen through", "explained by others"}};
+    {"", "few views", "chance", "seen through", "explained by others", "outline of a rod"}};
 constexpr NameTable<DenseClass, 4> kDenseClasses = {{"unknown", "surface", "boundary", "free"}};
 
 class Violations {
@@ -61,6 +62,10 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
   }
   if (!(link.kind_confidence >= 0 && link.kind_confidence <= 1)) {
     violations->Add("link", id, "confidence of its kind not from 0 to 1");
+  }
+  const bool has_radius = link.rod_radius > 0 && std::isfinite(link.rod_radius);
+  if (link.kind == LinkKind::kRod ? !has_radius : link.rod_radius != 0) {
+    violations->Add("link", id, "a rod needs a radius, and nothing else has one");
   }
   if (!link.tentative && link.doubt != LinkDoubt::kNone) {
     violations->Add("link", id, "doubted, but not tentative");

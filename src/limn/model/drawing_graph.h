@@ -72,10 +72,11 @@ enum class LinkKind : uint8_t {
   kPaint,    // where the reflectance of a surface changes
   kShadow,   // border of a shadow, or shading
   kContour,  // outline of a smooth body, which lies elsewhere in other views
+  kRod,      // center line of a wire, cable, bar or rod (limn/rods/)
 };
-constexpr int kNumLinkKinds = 5;
+constexpr int kNumLinkKinds = 6;
 
-// "edge", "paint", "shadow", "contour", "unknown".
+// "edge", "paint", "shadow", "contour", "rod", "unknown".
 const char* LinkKindName(LinkKind kind);
 // Nothing if there is no such kind.
 std::optional<LinkKind> LinkKindNamed(const std::string& name);
@@ -87,10 +88,11 @@ enum class LinkDoubt : uint8_t {
   kChance,       // no more views than by chance
   kSeenThrough,  // other links are seen through it
   kExplained,    // better links explain its edgels
+  kRodOutline,   // a rod stands for it; by itself it would be believed
 };
-constexpr int kNumLinkDoubts = 5;
+constexpr int kNumLinkDoubts = 6;
 
-// "", "few views", "chance", "seen through", "explained by others".
+// "", "few views", "chance", "seen through", "explained by others", "outline of a rod".
 const char* LinkDoubtName(LinkDoubt doubt);
 // Nothing if there is no such doubt.
 std::optional<LinkDoubt> LinkDoubtNamed(const std::string& name);
@@ -156,6 +158,8 @@ struct DrawingLink {
   // Of most of its length.
   LinkKind kind = LinkKind::kUnknown;
   double kind_confidence = 0;  // 0 to 1; 0 if unknown
+  // Of a rod, half its thickness, world units; 0 for other kinds.
+  double rod_radius = 0;
   // Too little evidence (limn/belief/): left out of exports unless requested.
   bool tentative = false;
   // kNone unless tentative.
@@ -184,10 +188,10 @@ struct DrawingGraph {
 
 // Descriptions of violated invariants, empty if there are none: ids in range, incidence symmetric,
 // link ends at their nodes' positions, all numbers finite, links of at least two points, no link of
-// zero length, one sigma (and one vertex, if there are any) per point, primitives that
-// ValidateShape accepts, regularities and faces that are in order, finite dimensions, confidences
-// of kinds from 0 to 1, doubts of tentative links only, junction <=> degree >= 3, loop anchors with
-// exactly the two ends of one closed link. Linear time.
+// zero length, one sigma (and one vertex, if there are any) per point, radii of rods
+// and of nothing else, primitives that ValidateShape accepts, regularities and faces that are in
+// order, finite dimensions, confidences of kinds from 0 to 1, doubts of tentative links only,
+// junction <=> degree >= 3, loop anchors with exactly the two ends of one closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 
 // The kind of a node, by the link ends at it and by whether their link is closed.

@@ -21,6 +21,7 @@ DrawingGraph Transformed(DrawingGraph graph, double scale, const Eigen::Matrix3d
   for (DrawingLink& link : graph.links) {
     for (Eigen::Vector3d& point : link.points_in_world) move(&point);
     for (double& sigma : link.sigma) sigma *= scale;
+    link.rod_radius *= scale;
     if (link.primitive) {
       link.primitive->shape = Transformed(link.primitive->shape, scale, rotation, translation);
     }

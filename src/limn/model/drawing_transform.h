@@ -7,7 +7,7 @@
 namespace limn {
 
 // The drawing under x -> scale * rotation * x + translation: nodes, points and primitives are
-// transformed, sigmas scaled, values in pixels kept. Precondition: scale > 0.
+// transformed, sigmas and radii of rods scaled, values in pixels kept. Precondition: scale > 0.
 DrawingGraph Transformed(DrawingGraph graph, double scale, const Eigen::Matrix3d& rotation,
                          const Eigen::Vector3d& translation);
 

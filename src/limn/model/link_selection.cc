@@ -12,6 +12,19 @@ LinkSelection::LinkSelection() {
   kinds[static_cast<int>(LinkKind::kContour)] = false;
 }
 
+LinkSelection LinkSelection::AsSeen() {
+  LinkSelection selection;
+  selection.rods_as_outlines = true;
+  return selection;
+}
+
+bool LinkSelection::Has(const DrawingLink& link) const {
+  if (!kinds[static_cast<int>(link.kind)]) return false;
+  if (rods_as_outlines && link.kind == LinkKind::kRod) return false;
+  if (rods_as_outlines && link.doubt == LinkDoubt::kRodOutline) return true;
+  return tentative || !link.tentative;
+}
+
 std::array<bool, kNumLinkKinds> KindsFromNames(const std::string& names) {
   if (names == "default") return LinkSelection().kinds;
   std::array<bool, kNumLinkKinds> kinds = {};
@@ -25,7 +38,7 @@ std::array<bool, kNumLinkKinds> KindsFromNames(const std::string& names) {
     const auto kind = LinkKindNamed(name);
     if (!kind) {
       throw OptionError("kinds = " + names + ": \"" + name +
-                        "\" is none of edge, paint, shadow, contour, unknown");
+                        "\" is none of edge, paint, shadow, contour, rod, unknown");
     }
     kinds[static_cast<int>(*kind)] = true;
   }

@@ -12,11 +12,13 @@ namespace limn {
 struct LinkSelection {
   std::array<bool, kNumLinkKinds> kinds;  // by LinkKind
   bool tentative = false;
+  // Rods by their outlines, which are what images show, instead of their center lines.
+  bool rods_as_outlines = false;
 
   LinkSelection();
-  bool Has(const DrawingLink& link) const {
-    return kinds[static_cast<int>(link.kind)] && (tentative || !link.tentative);
-  }
+  // The default, but rods by their outlines.
+  static LinkSelection AsSeen();
+  bool Has(const DrawingLink& link) const;
 };
 
 // The names of kinds separated by commas, or "all" or "default". Throws OptionError for the option

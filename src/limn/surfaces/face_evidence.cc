@@ -298,7 +298,7 @@ std::vector<FaceEvidence> FindFaceEvidence(const CurvesScene& scene, const Suppo
                                            const SurfaceOptions& options,
                                            const RunContext& context) {
   const std::vector<ImageEvidence> links = EvidenceOfLinks(scene, gate, graph, context);
-  const LinkSelection selection;
+  const LinkSelection selection = LinkSelection::AsSeen();
   std::vector<uint8_t> is_sure(links.size());
   for (size_t l = 0; l < links.size(); ++l) {
     is_sure[l] = selection.Has(graph.links[l]) && links[l].evidence >= kSureEvidence;

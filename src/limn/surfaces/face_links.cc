@@ -46,7 +46,7 @@ void MeasureShape(FaceLink* link) {
 
 std::vector<FaceLink> MeasureFaceLinks(const DrawingGraph& graph, const std::vector<View>& views,
                                        const SurfaceOptions& options) {
-  const LinkSelection selection;
+  const LinkSelection selection = LinkSelection::AsSeen();
   std::vector<FaceLink> links;
   for (size_t id = 0; id < graph.links.size(); ++id) {
     const DrawingLink& link = graph.links[id];

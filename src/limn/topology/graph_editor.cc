@@ -70,10 +70,14 @@ void CombineKinds(const DrawingLink& other, DrawingLink* link) {
   const double vote = link->kind_confidence * length;
   const double other_vote = other.kind_confidence * other_length;
   const bool is_same = link->kind == other.kind;
-  if (other_vote > vote) link->kind = other.kind;
+  if (other_vote > vote) {
+    link->kind = other.kind;
+    link->rod_radius = other.rod_radius;
+  }
   link->kind_confidence =
       std::min(1.0, (is_same ? vote + other_vote : std::abs(vote - other_vote)) / whole);
   if (link->kind_confidence == 0) link->kind = LinkKind::kUnknown;
+  if (link->kind != LinkKind::kRod) link->rod_radius = 0;
   const double tentative = link->tentative * length + other.tentative * other_length;
   link->tentative = tentative > whole / 2;
   if (!link->tentative) {
@@ -359,6 +363,7 @@ void GraphEditor::SetContinuations(NodeId id, std::vector<std::pair<LinkEnd, Lin
 void GraphEditor::SetKind(LinkId id, LinkKind kind) {
   graph_->links[id].kind = kind;
   graph_->links[id].kind_confidence = kind == LinkKind::kUnknown ? 0 : 1;
+  if (kind != LinkKind::kRod) graph_->links[id].rod_radius = 0;
 }
 
 void GraphEditor::MakeFirm(LinkId id) {

@@ -20,7 +20,7 @@ int ColorOfClass(const std::string& primitive, DenseClass dense_class) {
 }
 
 // Unknown is gray.
-constexpr std::array<int, kNumLinkKinds> kColorOfKind = {9, kForeground, 30, 170, 200};
+constexpr std::array<int, kNumLinkKinds> kColorOfKind = {9, kForeground, 30, 170, 200, 90};
 
 // Hues of neighboring numbers are far apart: 7 and 24 have no common divisor.
 int ColorOfComponent(int component) { return 10 + 10 * (component * 7 % 24); }
