@@ -7,6 +7,7 @@
 #include "limn/paper/paper_drawing.h"
 #include "limn/pipeline/sketch_views.h"
 #include "limn/regularity/regularize.h"
+#include "limn/rods/find_rods.h"
 
 namespace limn {
 
@@ -31,8 +32,9 @@ DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
 DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                             const RunContext& context, const StageObserver& on_stage_end) {
   if (options.IsPaper()) return input.graph;
-  RefinementResult refined =
-      RefineDrawing(input, options.refinement, options.drawing.topology, context);
+  const DrawingGraph without_rods = WithoutRods(input.graph);
+  RefinementResult refined = RefineDrawing({input.scene, without_rods}, options.refinement,
+                                           options.drawing.topology, context);
   on_stage_end(refined.summary);
   BeliefResult judged = JudgeLinks({{input.scene.views, input.scene.curves},
                                     refined.graph,
@@ -40,7 +42,9 @@ DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions&
                                     options.refinement.Gate()},
                                    options.belief, options.drawing.topology, context);
   on_stage_end(judged.summary);
-  return std::move(judged.graph);
+  RodResult rods = FindRods({input.scene, judged.graph}, context);
+  on_stage_end(rods.summary);
+  return std::move(rods.graph);
 }
 
 DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,

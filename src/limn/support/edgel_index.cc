@@ -120,6 +120,19 @@ void EdgelIndex::VisitCells(const Eigen::Vector2d& position_px, double radius_px
 std::optional<EdgelMatch> EdgelIndex::Best(const Eigen::Vector2d& position_px,
                                            const Eigen::Vector2d& direction,
                                            const SupportGate& gate) const {
+  return FindBest<false>(position_px, direction, gate);
+}
+
+std::optional<EdgelMatch> EdgelIndex::BestAlong(const Eigen::Vector2d& position_px,
+                                                const Eigen::Vector2d& direction,
+                                                const SupportGate& gate) const {
+  return FindBest<true>(position_px, direction, gate);
+}
+
+template <bool kAlong>
+std::optional<EdgelMatch> EdgelIndex::FindBest(const Eigen::Vector2d& position_px,
+                                               const Eigen::Vector2d& direction,
+                                               const SupportGate& gate) const {
   const double radius_px = std::hypot(gate.normal_px, gate.along_px) * max_scale_;
   // From a right angle on every direction will do.
   const double max_sine = gate.angle_rad < M_PI / 2 ? std::sin(gate.angle_rad) : 2;
@@ -136,6 +149,9 @@ std::optional<EdgelMatch> EdgelIndex::Best(const Eigen::Vector2d& position_px,
     const bool is_in = (std::abs(normal) <= gate.normal_px) & (std::abs(along) <= gate.along_px) &
                        (std::abs(sine) <= max_sine);
     if (!is_in) return;
+    if constexpr (kAlong) {
+      if (edgel.tangent.x() * direction.x() + edgel.tangent.y() * direction.y() <= 0) return;
+    }
     const double cost = (normal * normal + kAlongCost * along * along) * per_squared_px +
                         sine * sine * per_squared_sine;
     if (cost < best_cost || (cost == best_cost && edgel.id < best.edgel)) {

@@ -41,6 +41,11 @@ class EdgelIndex {
   std::optional<EdgelMatch> Best(const Eigen::Vector2d& position_px,
                                  const Eigen::Vector2d& direction, const SupportGate& gate) const;
 
+  // The same among edgels that point along `direction`, not against it: it tells the brighter side.
+  std::optional<EdgelMatch> BestAlong(const Eigen::Vector2d& position_px,
+                                      const Eigen::Vector2d& direction,
+                                      const SupportGate& gate) const;
+
   // Calls `visit` for every edgel whose virtual position is within radius_px, by ascending cell.
   void ForEachWithin(const Eigen::Vector2d& position_px, double radius_px,
                      const std::function<void(EdgelId)>& visit) const;
@@ -65,6 +70,10 @@ class EdgelIndex {
   size_t TileOf(const Eigen::Vector2i& cell) const;
   // Index in cell_begin_ of the cell of an edgel whose tile exists.
   int CellOf(const Edgel& edgel) const;
+  template <bool kAlong>
+  std::optional<EdgelMatch> FindBest(const Eigen::Vector2d& position_px,
+                                     const Eigen::Vector2d& direction,
+                                     const SupportGate& gate) const;
   template <typename Visit>
   void VisitCells(const Eigen::Vector2d& position_px, double radius_px, Visit&& visit) const;
 

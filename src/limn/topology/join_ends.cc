@@ -10,6 +10,7 @@
 
 #include "limn/geometry/angle_between.h"
 #include "limn/geometry/spatial_index.h"
+#include "limn/topology/arc_or_corner.h"
 #include "limn/util/angles.h"
 #include "limn/util/union_find.h"
 
@@ -102,7 +103,7 @@ class CornerJoiner {
       members[sets.Find(a)] = std::move(together);
     }
     for (const std::vector<int>& group : members) {
-      if (group.size() > 1) MakeCorner(group);
+      if (group.size() > 1) Meet(group);
     }
   }
 
@@ -146,10 +147,28 @@ class CornerJoiner {
     return reached ? point : std::nullopt;
   }
 
-  void MakeCorner(const std::vector<int>& group) {
-    const NodeId node = task_.editor->AddNode(*CornerOf(group));
-    for (const int i : group) task_.editor->EndAt(free_.ends[i], node);
-    ++task_.counts->corners;
+  void Meet(const std::vector<int>& group) {
+    const Eigen::Vector3d corner = *CornerOf(group);
+    std::vector<LinkEnd> ends;
+    for (const int i : group) ends.push_back(task_.editor->CurrentEnd(free_.ends[i]));
+    const auto arc = group.size() == 2 ? ArcInsteadOfCorner(task_.input, *task_.editor, ends[0],
+                                                            ends[1], corner)
+                                       : std::nullopt;
+    if (arc) {
+      JoinByArc(*arc, ends[0], ends[1]);
+    } else {
+      const NodeId node = task_.editor->AddNode(corner);
+      for (const LinkEnd& end : ends) task_.editor->EndAt(end, node);
+      ++task_.counts->corners;
+    }
+  }
+
+  void JoinByArc(const Polyline3d& arc, const LinkEnd& a, const LinkEnd& b) {
+    for (size_t k = 1; k + 1 < arc.size(); ++k) {
+      task_.editor->EndAt(a, task_.editor->AddNode(arc[k]));
+    }
+    task_.editor->Join(a, b);
+    ++task_.counts->joined;
   }
 
   const MeetingTask& task_;
