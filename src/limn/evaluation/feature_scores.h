@@ -63,7 +63,8 @@ struct RodScores {
   std::optional<double> recall;
   // Length of all links, rods or not, that run within radius + tau of a true center line and
   // parallel within 20 degrees, per true length: 1 is best, 2 are both outlines. The radius is the
-  // true one; if that is unknown, that of the thickest drawn rod that matches there, or 0.
+  // true one, or else that of the thickest drawn rod that matches there. Where neither is known
+  // nothing counts: outlines cannot be told from what is beside the rod.
   std::optional<double> links_per_length;
   // Length of drawn rods that match no true one, per true length.
   std::optional<double> false_per_length;

@@ -35,7 +35,7 @@ struct SampledRods {
 // A sample of the truth.
 struct TrueRodPlace {
   bool is_matched = false;
-  double radius = 0;  // that counts there, world units
+  double radius = 0;  // that counts there, world units; 0 if unknown
 };
 
 // A sample of a drawn link.
@@ -66,8 +66,8 @@ std::vector<TrueRodPlace> JudgeTrueRods(const SampledRods& sampled) {
   ForEachSample(sampled.context, truth.size(), [&](int i) {
     thread_local std::vector<SpatialIndex::Neighbor> found;
     const Eigen::Vector3d& position = truth.Position(i);
-    FindParallel(sampled.rods, position, truth.Direction(i),
-                 sampled.tau * sampled.UnitAt(position), &found);
+    FindParallel(sampled.rods, position, truth.Direction(i), sampled.tau * sampled.UnitAt(position),
+                 &found);
     judged[i].is_matched = !found.empty();
     judged[i].radius = RadiusOf(sampled.compared.truth, truth, i);
     if (judged[i].radius > 0) return;
@@ -96,7 +96,8 @@ std::vector<DrawnRodPlace> JudgeDrawn(const SampledRods& sampled, const CurveSet
     FindParallel(sampled.truth, position, drawn.Direction(i), max_radius + reach, &found);
     if (found.empty()) return;
     judged[i].runs_along = std::ranges::any_of(found, [&](const SpatialIndex::Neighbor& rod) {
-      return std::sqrt(rod.squared_distance) <= truth[rod.index].radius + reach;
+      const double radius = truth[rod.index].radius;
+      return radius > 0 && std::sqrt(rod.squared_distance) <= radius + reach;
     });
     const SpatialIndex::Neighbor& nearest =
         *std::ranges::min_element(found, {}, &SpatialIndex::Neighbor::squared_distance);
@@ -137,21 +138,25 @@ double AddDrawnRods(const CurveSamples& rods, const std::vector<DrawnRodPlace>& 
 }
 
 RodScores SummarizeRods(const SampledRods& sampled, const std::vector<TrueRodPlace>& truth,
-                    const std::vector<DrawnRodPlace>& rods,
-                    const std::vector<DrawnRodPlace>& others) {
+                        const std::vector<DrawnRodPlace>& rods,
+                        const std::vector<DrawnRodPlace>& others) {
   RodScores scores;
   double matched = 0;
+  double of_known_radius = 0;
   for (int i = 0; i < sampled.truth.size(); ++i) {
     if (!sampled.InRegion(sampled.truth.Position(i))) continue;
-    scores.true_length += sampled.truth.Weight(i);
-    if (truth[i].is_matched) matched += sampled.truth.Weight(i);
+    const double length = sampled.truth.Weight(i);
+    scores.true_length += length;
+    if (truth[i].is_matched) matched += length;
+    if (truth[i].radius > 0) of_known_radius += length;
   }
   const double right = AddDrawnRods(sampled.rods, rods, &scores);
   if (!(scores.true_length > 0)) return scores;
   scores.recall = matched / scores.true_length;
-  scores.links_per_length =
-      (LengthAlong(sampled.rods, rods) + LengthAlong(sampled.others, others)) / scores.true_length;
   scores.false_per_length = (scores.drawn_length - right) / scores.true_length;
+  if (!(of_known_radius > 0)) return scores;
+  scores.links_per_length =
+      (LengthAlong(sampled.rods, rods) + LengthAlong(sampled.others, others)) / of_known_radius;
   return scores;
 }
 
@@ -160,10 +165,8 @@ RodScores ScoreRodsAt(const RodComparison& compared, const std::vector<View>& vi
   CurveSamples rods = SampleRods(compared.rods, views, tau, 0);
   CurveSamples others = SampleRods(compared.others, views, tau, rods.size());
   CurveSamples truth = SampleRods(compared.truth, views, tau, rods.size() + others.size());
-  const SampledRods sampled{compared,        views,
-                            options,         context,
-                            tau,             std::move(rods),
-                            std::move(others), std::move(truth)};
+  const SampledRods sampled{compared, views,           options,           context,
+                            tau,      std::move(rods), std::move(others), std::move(truth)};
   const std::vector<TrueRodPlace> true_places = JudgeTrueRods(sampled);
   return SummarizeRods(sampled, true_places,
                        JudgeDrawn(sampled, compared.rods, sampled.rods, true_places),

@@ -28,8 +28,8 @@ struct RodComparison {
 
 // Per tau of the options; inside their region. Distances are in pixel footprints of the views at
 // the place they are measured from, or in world units if there are none. Precondition: the options
-// are valid and all points finite. O(n log n) in the total length / tau, times the number of copies.
-// Throws InputError if that is too long or the truth has no curves.
+// are valid and all points finite. O(n log n) in the total length / tau, times the number of
+// copies. Throws InputError if that is too long or the truth has no curves.
 std::vector<RodScores> ScoreRods(const RodComparison& compared, const std::vector<View>& views,
                                  const EvaluationOptions& options, const RunContext& context = {});
 
