@@ -159,10 +159,12 @@ auto NumberOf(double CircularArc::*field) {
   };
 }
 
-Owner SelectedLinks(const Owner& drawing, const std::string& kinds, bool tentative) {
+Owner SelectedLinks(const Owner& drawing, const std::string& kinds, bool tentative,
+                    bool rods_as_outlines) {
   LinkSelection selection;
   selection.kinds = KindsFromNames(kinds);
   selection.tentative = tentative;
+  selection.rods_as_outlines = rods_as_outlines;
   auto selected = std::make_shared<SceneDrawing>(*drawing);
   selected->graph = Selected(std::move(selected->graph), selection);
   return selected;
@@ -251,10 +253,13 @@ void BindLink(py::module_* module) {
           "Whether the curve returns to its first point.")
       .def_property_readonly(
           "kind", [](const Link& link) { return std::string(LinkKindName(link.Get().kind)); },
-          "'edge' (crease or border), 'paint', 'shadow', 'contour' (outline of a smooth body) or "
-          "'unknown'.")
+          "'edge' (crease or border), 'paint', 'shadow', 'contour' (outline of a smooth body), "
+          "'rod' (center line of a wire or bar) or 'unknown'.")
       .def_property_readonly(
           "kind_confidence", [](const Link& link) { return link.Get().kind_confidence; }, "0 to 1.")
+      .def_property_readonly(
+          "rod_radius", [](const Link& link) { return link.Get().rod_radius; },
+          "Half the thickness of a rod, in the model's unit; 0 for other kinds.")
       .def_property_readonly(
           "tentative", [](const Link& link) { return link.Get().tentative; },
           "Whether there is little evidence for it.")
@@ -439,9 +444,12 @@ void BindDrawing(py::module_* module) {
       .def_property_readonly(
           "stages", [](const SceneDrawing& drawing) { return StagesOf(drawing.made.log); },
           "The stages that made it: counts in, kept and dropped, and seconds.")
-      .def("selected", SelectedLinks, py::arg("kinds") = "default", py::arg("tentative") = false,
-           "The drawing with these links only; kinds as in drawing_exporter: names separated by "
-           "commas, 'all', or 'default' (all but outlines of smooth bodies).")
+      .def(
+          "selected", SelectedLinks, py::arg("kinds") = "default", py::arg("tentative") = false,
+          py::arg("rods_as_outlines") = false,
+          "The drawing with these links only; kinds as in drawing_exporter: names separated by "
+          "commas, 'all', or 'default' (all but outlines of smooth bodies). Rods are center lines, "
+          "or their outlines.")
       .def(
           "save",
           [](const Owner& drawing, const std::filesystem::path& path) {

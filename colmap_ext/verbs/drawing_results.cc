@@ -238,7 +238,7 @@ void WriteDrawingResults(const Project& project, const DrawingInScene& drawing, 
   for (const char* name : {"drawing.ply", "drawing.obj"}) {
     WriteDrawing(project.DrawingPath(name), selected, drawing.metadata);
   }
-  WriteTracks(project.CurvesPath("tracks.txt"), drawing.graph, {},
+  WriteTracks(project.CurvesPath("tracks.txt"), drawing.graph, LinkSelection::AsSeen(),
               InStoredImages(project.view_set(), drawing.views));
   WritePictures(project, "overlays", pictures, console->context(), [&](ViewId v) {
     return DrawOverlay(project.images().read(v), drawing.views[v], v, drawing.graph);

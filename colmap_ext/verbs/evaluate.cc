@@ -13,6 +13,7 @@
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/evaluation/kind_confusion.h"
 #include "limn/evaluation/report_writers.h"
+#include "limn/evaluation/rod_scores.h"
 #include "limn/files/atomic_file.h"
 #include "limn/formats/json_kinds_reader.h"
 #include "limn/formats/mesh_reader.h"
@@ -45,42 +46,62 @@ void CheckOutputs(const EvaluatorOptions& options) {
   const TruthInput& truth = options.truth;
   for (const std::string& path : {options.output_csv, options.output_json}) {
     if (path.empty()) continue;
-    CheckNamedOutput(
-        path,
-        {options.input_path, truth.truth_path, truth.truth_edges_path, truth.junctions_path,
-         truth.dont_care_path, options.true_kinds_path, options.truth_mesh_path, options.mesh_path},
-        options.overwrite);
+    CheckNamedOutput(path,
+                     {options.input_path, truth.truth_path, truth.truth_edges_path,
+                      truth.junctions_path, truth.dont_care_path, options.true_kinds_path,
+                      options.rods_path, options.truth_mesh_path, options.mesh_path},
+                     options.overwrite);
   }
-}
-
-// At the middle one of the taus.
-KindConfusion KindsOf(const DrawingGraph& drawing, const EvaluatorOptions& options,
-                      const std::vector<View>& views) {
-  const std::vector<double>& taus = options.truth.evaluation.taus;
-  KindConfusionOptions of_kinds;
-  of_kinds.tau = taus[taus.size() / 2];
-  of_kinds.region = BoxFromNumbers(options.box);
-  const bool in_footprints = options.truth.unit == TruthInput::Unit::kFootprint;
-  return CompareKinds(drawing, ReadJsonKinds(options.true_kinds_path),
-                      in_footprints ? views : std::vector<View>(), of_kinds);
 }
 
 // What is evaluated: a drawing, or else curves; and a mesh instead of faces.
 struct Judged {
   std::optional<DrawingGraph> drawing;
+  // The same in two, if there are true rods; `curves` are then the others.
+  std::optional<RodsApart> apart;
   CurveSet curves;
   std::optional<TriangleMesh> mesh;
 };
 
-// What it is judged by: curves, a surface or both.
+// What it is judged by: curves, with or without rods, a surface or both.
 struct Truths {
   std::optional<Truth> of_curves;
+  std::optional<CurveSet> rods;
   std::optional<TriangleMesh> surface;
 };
+
+// The views that footprints are measured in; none for the unit world.
+std::vector<View> ViewsOfUnit(const std::vector<View>& views, const EvaluatorOptions& options) {
+  return options.truth.unit == TruthInput::Unit::kFootprint ? views : std::vector<View>();
+}
+
+// At the middle one of the taus.
+KindConfusion KindsOf(const DrawingGraph& drawing, const Truths& truths,
+                      const EvaluatorOptions& options, const std::vector<View>& views) {
+  const std::vector<double>& taus = options.truth.evaluation.taus;
+  KindConfusionOptions of_kinds;
+  of_kinds.tau = taus[taus.size() / 2];
+  of_kinds.region = BoxFromNumbers(options.box);
+  CurvesByKind kinds = ReadJsonKinds(options.true_kinds_path);
+  std::vector<Polyline3d>& rods = kinds[static_cast<int>(LinkKind::kRod)].polylines;
+  if (truths.rods) {
+    rods.insert(rods.end(), truths.rods->polylines.begin(), truths.rods->polylines.end());
+  }
+  return CompareKinds(drawing, kinds, ViewsOfUnit(views, options), of_kinds);
+}
+
+void AddRods(const Judged& judged, const CurveSet& truth, const EvaluationOptions& options,
+             const std::vector<View>& views, const RunContext& context, EvaluationReport* report) {
+  const CurveSet rods = judged.apart ? ToCurveSet(judged.apart->rods) : CurveSet();
+  const std::vector<RodScores> scores =
+      ScoreRods({rods, judged.curves, truth}, views, options, context);
+  for (size_t i = 0; i < scores.size(); ++i) report->rows[i].features.rods = scores[i];
+}
 
 Truths ReadTruths(const EvaluatorOptions& options) {
   Truths truths;
   if (options.truth.IsGiven()) truths.of_curves = ReadTruth(options.truth);
+  if (!options.rods_path.empty()) truths.rods = ReadCurves(options.rods_path);
   if (!options.truth_mesh_path.empty()) truths.surface = ReadMesh(options.truth_mesh_path);
   return truths;
 }
@@ -117,18 +138,25 @@ void Move(const Eigen::Affine3d& similarity, Judged* judged) {
   if (judged->mesh) Move(similarity, &judged->mesh->vertices);
 }
 
-EvaluationReport JudgeCurves(const Judged& judged, const Truth& truth,
+EvaluationReport JudgeCurves(const Judged& judged, const Truths& truths,
                              const EvaluatorOptions& options, const std::vector<View>& views,
                              const RunContext& context) {
+  const Truth& truth = *truths.of_curves;
   TruthInput input = options.truth;
   input.evaluation.region = BoxFromNumbers(options.box);
   EvaluationReport report = Evaluate(judged.curves, truth, input, views, context);
-  if (!options.true_kinds_path.empty()) report.kinds = KindsOf(*judged.drawing, options, views);
+  if (truths.rods) {
+    AddRods(judged, *truths.rods, input.evaluation, ViewsOfUnit(views, options), context, &report);
+  }
+  if (!options.true_kinds_path.empty()) {
+    report.kinds = KindsOf(*judged.drawing, truths, options, views);
+  }
   if (judged.drawing && !views.empty()) {
     NormalizedErrorOptions of_sigmas;
     of_sigmas.region = input.evaluation.region;
     report.normalized_errors =
-        MeasureNormalizedErrors(*judged.drawing, truth.curves, truth.dont_care, views, of_sigmas);
+        MeasureNormalizedErrors(judged.apart ? judged.apart->others : *judged.drawing, truth.curves,
+                                truth.dont_care, views, of_sigmas);
   }
   return report;
 }
@@ -158,12 +186,12 @@ EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, Console* 
     // Faces do not depend on which links are chosen.
     faces = std::move(judged.drawing->faces);
     judged.drawing->faces.clear();
-    judged.drawing = Selected(*std::move(judged.drawing), options.selection.Selection());
-    judged.curves = ToCurveSet(*judged.drawing);
+    judged.drawing = Selected(*std::move(judged.drawing), options.Selection());
+    if (truths.rods) judged.apart = TakeRodsApart(*judged.drawing);
+    judged.curves = ToCurveSet(judged.apart ? judged.apart->others : *judged.drawing);
   }
-  EvaluationReport report = truths.of_curves
-                                ? JudgeCurves(judged, *truths.of_curves, options, views, context)
-                                : CountCurves(judged.curves);
+  EvaluationReport report = truths.of_curves ? JudgeCurves(judged, truths, options, views, context)
+                                             : CountCurves(judged.curves);
   report.cameras = cameras;
   if (has_views) report.saw_teeth = MeasureSawTeeth(judged.curves.polylines, views);
   if (truths.surface) {
@@ -207,6 +235,9 @@ void CheckInputs(const EvaluatorOptions& options) {
     throw OptionError(
         "true_kinds_path: only links of a drawing.json, compared with truth_path, "
         "have kinds");
+  }
+  if (!options.rods_path.empty() && !options.truth.IsGiven()) {
+    throw OptionError("rods_path: needs truth_path");
   }
   const bool in_footprints = options.truth.unit == TruthInput::Unit::kFootprint;
   const bool needs_views =
@@ -273,6 +304,10 @@ void EvaluatorOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("true_kinds_path", &true_kinds_path,
                     BasicOption("true curves with their kinds, .json: also compare the kinds of "
                                 "the links of a drawing.json"));
+  parser->AddOption("rods_path", &rods_path,
+                    BasicOption("true center lines of rods, with a vertex property radius if they "
+                                "are .ply and it is known: judge rods by these, and neither rods "
+                                "nor their outlines as curves"));
   parser->AddOption("box", &box, BasicOption("only what is inside counts: x0,x1,y0,y1,z0,z1"));
   parser->AddOption(
       "workspace_path", &layout.workspace_path,
@@ -296,11 +331,17 @@ void EvaluatorOptions::AddOptions(OptionParser* parser) {
 void EvaluatorOptions::Check() const {
   if (truth.IsGiven()) truth.Check();
   CheckGroup("Faces", faces);
-  selection.Selection();  // throws
-  BoxFromNumbers(box);    // throws
+  Selection();          // throws
+  BoxFromNumbers(box);  // throws
   LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
   if (!layout.workspace_path.empty()) layout.Check();
   CheckInputs(*this);
+}
+
+LinkSelection EvaluatorOptions::Selection() const {
+  LinkSelection selected = selection.Selection();
+  if (!rods_path.empty()) selected.rods_as_outlines = false;
+  return selected;
 }
 
 EvaluationReport EvaluateAndWrite(const DrawingGraph* drawing, EvaluatorOptions options,

@@ -25,8 +25,10 @@ struct EvaluatorOptions {
   // Folder of a model with the true cameras, if what is judged was made with others: those of
   // refined/ beside it, else of the workspace. Empty: those of the workspace are true.
   std::string true_model_path;
-  // Of a drawing.
-  SelectionOptions selection;
+  // True center lines of rods; empty: none.
+  std::string rods_path;
+  // Of a drawing. Truths of curves hold outlines of rods.
+  SelectionOptions selection = {.rods_as_outlines = true};
   // Curves with their kinds, for a confusion table; empty: none.
   std::string true_kinds_path;
   std::vector<double> box;
@@ -41,6 +43,9 @@ struct EvaluatorOptions {
   void AddOptions(OptionParser* parser);
   // Throws OptionError.
   void Check() const;
+  // The links to judge: those of `selection`, but rods by their center lines if there are true
+  // ones. Throws OptionError.
+  LinkSelection Selection() const;
   // A mesh alone is judged: there are no curves to read.
   bool IsOfMeshOnly() const { return !mesh_path.empty() && truth.truth_path.empty(); }
 };
@@ -48,8 +53,8 @@ struct EvaluatorOptions {
 // Evaluates a drawing in memory or, if that is null, the input file, by default the newest drawing
 // of the workspace, and writes the report to the requested files. With a workspace or views also
 // measures saw-teeth and, of a drawing, the normalized errors; with true kinds compares those of
-// the links; with a true surface scores faces. With a true model, all of this in its frame. Throws
-// IoError, also if an output must not be replaced, and InputError.
+// the links; with true rods scores rods; with a true surface scores faces. With a true model, all
+// of this in its frame. Throws IoError, also if an output must not be replaced, and InputError.
 EvaluationReport EvaluateAndWrite(const DrawingGraph* drawing, EvaluatorOptions options,
                                   Console* console);
 

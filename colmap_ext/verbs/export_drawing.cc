@@ -150,6 +150,7 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
   format.unit = UnitOf(options, metadata);
   if (metadata.alignment) metadata.alignment = After(file_from_model, *metadata.alignment);
   format.dxf.junctions = format.glb.junctions = options.junctions;
+  format.glb.rods_as_tubes = format.step.rods_as_tubes = options.rods_as_tubes;
   if (!options.cloud_path.empty()) {
     format.glb.cloud = ReadCloud(options.cloud_path, file_from_model);
   }
@@ -237,6 +238,7 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("junctions", &junctions,
                     "DXF, GLB and SVG: junctions as points on their own layer");
   selection.AddOptions(parser);
+  parser->AddOption("rods_as_tubes", &rods_as_tubes, "GLB and STEP: rods as tubes of their radius");
   AddFormatOptions(&format, parser);
   parser->AddOption("cloud_path", &cloud_path, "GLB: a cloud to go with it, .ply");
   svg.AddOptions(parser);
@@ -260,6 +262,9 @@ void ExporterOptions::Check() const {
   const std::string name = FormatName(*this);
   if (!cloud_path.empty() && name != "glb") {
     throw OptionError("cloud_path: only .glb files hold a cloud");
+  }
+  if (rods_as_tubes && name != "glb" && name != "step") {
+    throw OptionError("rods_as_tubes: only in .glb and .step files");
   }
   if (IsPlan(*this) && !svg.IsSheet()) {
     throw OptionError("view = " + svg.view +

@@ -23,6 +23,8 @@ struct ExporterOptions {
   bool overwrite = false;
   bool junctions = true;
   SelectionOptions selection;
+  // GLB and STEP: rods as tubes of their radius.
+  bool rods_as_tubes = false;
   std::string cloud_path;
   DrawingFormatOptions format;
   double scale = 1;

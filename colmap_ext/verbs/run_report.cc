@@ -7,6 +7,7 @@
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/view.h"
+#include "limn/model/link_selection.h"
 #include "limn/viewer/viewer_page.h"
 
 namespace limn::colmap_ext {
@@ -79,6 +80,15 @@ CurveSet LinksOfImages(const DrawingGraph& graph, const std::vector<size_t>& sup
 
 Json OrNull(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
+// All links, also tentative ones, but no rods: truths of curves hold their outlines.
+LinkSelection LinksToEvaluate() {
+  LinkSelection selection;
+  selection.kinds.fill(true);
+  selection.kinds[static_cast<int>(LinkKind::kRod)] = false;
+  selection.tentative = true;
+  return selection;
+}
+
 void AddEvaluation(const DrawingGraph& graph, const std::vector<size_t>& support,
                    const std::vector<View>& views, const TruthInput& input,
                    const RunContext& context, Json* report) {
@@ -138,7 +148,9 @@ std::string RunReportJson(const Project& project, const RunOptions& options,
                                                     Json::parse(Provenance(RunOptions())))},
                  {"support_histogram", SupportHistogram(support)}};
   if (truth.IsGiven()) {
-    AddEvaluation(graph, support, views, truth, console.context(), &report);
+    const DrawingGraph judged = Selected(graph, LinksToEvaluate());
+    AddEvaluation(judged, CountSupport(project.view_set(), judged), views, truth, console.context(),
+                  &report);
   }
   // Paths need not be UTF-8.
   return report.dump(-1, ' ', false, Json::error_handler_t::replace);

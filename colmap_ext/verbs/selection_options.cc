@@ -9,7 +9,7 @@ void SelectionOptions::AddOptions(OptionParser* parser) {
                                 "default = all but contour"));
   parser->AddOption("tentative", &tentative, BasicOption("use tentative links, too"));
   parser->AddOption("rods_as_outlines", &rods_as_outlines,
-                    BasicOption("use the outlines of rods instead of their center lines"));
+                    "use the outlines of rods instead of their center lines");
 }
 
 LinkSelection SelectionOptions::Selection() const {

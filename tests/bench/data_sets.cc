@@ -108,8 +108,10 @@ DataSet Room(const std::string& data_path) {
 }
 
 DataSet Bench(const std::string& data_path) {
-  return Rendered("bench", data_path + "/bench", data_path + "/bench/truth",
-                  Box("all", -5.5, 5.7, -3.4, 3.4, 0.48, 3.4));
+  DataSet set = Rendered("bench", data_path + "/bench", data_path + "/bench/truth",
+                         Box("all", -5.5, 5.7, -3.4, 3.4, 0.48, 3.4));
+  set.rods_path = data_path + "/bench/truth/rods.ply";
+  return set;
 }
 
 DataSet WithoutTruth(const std::string& data_path, const std::string& name) {

@@ -31,6 +31,8 @@ struct DataSet {
   std::string truth_edges_path;
   std::string junctions_path;
   std::string dont_care_path;
+  // True center lines of rods.
+  std::string rods_path;
   // The truth that EMAP's protocol takes, hidden edges included.
   std::string emap_truth_path;
   // A point cloud of PMVS to be drawn beside the drawing.

@@ -7,6 +7,7 @@
 #include "bench/measures/shown_truth.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/report_writers.h"
+#include "limn/evaluation/rod_scores.h"
 #include "limn/evaluation/saw_teeth.h"
 #include "limn/formats/json_junctions_reader.h"
 #include "limn/formats/read_curves.h"
@@ -80,6 +81,7 @@ Truth ReadTruth(const DataSet& set) {
   if (set.judge_around_truth) truth.boxes.push_back(AroundTruth(truth.curves));
   if (!set.junctions_path.empty()) truth.curves.nodes = ReadJunctions(set.junctions_path);
   if (!set.dont_care_path.empty()) truth.dont_care = ReadCurves(set.dont_care_path);
+  if (!set.rods_path.empty()) truth.rods = ReadCurves(set.rods_path);
   if (!set.emap_truth_path.empty()) truth.emap_curves = ReadCurves(set.emap_truth_path);
   return truth;
 }
@@ -106,6 +108,29 @@ Json MeasureSigmas(const Truth& truth, const std::vector<View>& views, const Dra
     report.normalized_errors =
         MeasureNormalizedErrors(graph, truth.curves, truth.dont_care, views, options);
     boxes[box.name] = AsJson(report)["normalised_errors"];
+  }
+  return boxes;
+}
+
+Json MeasureRods(const DataSet& set, const Truth& truth, const std::vector<View>& views,
+                 const DrawingGraph& graph, const RunContext& context) {
+  if (truth.rods.polylines.empty()) return nullptr;
+  const RodsApart apart = TakeRodsApart(graph);
+  const CurveSet rods = ToCurveSet(apart.rods);
+  const CurveSet others = ToCurveSet(apart.others);
+  Json boxes = Json::object();
+  for (const NamedBox& box : truth.boxes) {
+    EvaluationOptions options;
+    options.taus = set.taus;
+    options.region = box.region;
+    EvaluationReport report;
+    for (const RodScores& scores :
+         ScoreRods({rods, others, truth.rods}, set.in_footprints ? views : std::vector<View>(),
+                   options, context)) {
+      report.rows.emplace_back().features.rods = scores;
+    }
+    boxes[box.name] = Json::array();
+    for (const Json& row : AsJson(report)["rows"]) boxes[box.name].push_back(row["rods"]);
   }
   return boxes;
 }

@@ -18,6 +18,7 @@ struct Truth {
   CurveSet curves;
   CurveSet dont_care;
   CurveSet emap_curves;
+  CurveSet rods;  // center lines
   std::vector<NamedBox> boxes;
 
   bool IsKnown() const { return !curves.polylines.empty() || !curves.points.empty(); }
@@ -35,6 +36,11 @@ Json MeasureAgainstTruth(const DataSet& set, const Truth& truth, const std::vect
 // How well the sigmas of a drawing tell its errors, per box (see normalized_errors.h); nothing
 // without true curves.
 Json MeasureSigmas(const Truth& truth, const std::vector<View>& views, const DrawingGraph& graph);
+
+// Per box, for every tau how the rods of a drawing compare with the true ones (rod_scores.h);
+// nothing without these.
+Json MeasureRods(const DataSet& set, const Truth& truth, const std::vector<View>& views,
+                 const DrawingGraph& graph, const RunContext& context);
 
 // The report of CountCurves with saw-teeth: what needs no truth.
 Json MeasureShape(const CurveSet& reconstruction, const std::vector<View>& views);

@@ -94,9 +94,11 @@ void MeasureDefaults(const ReportOptions& options, const Measured& measured, Wor
     run["held_out"] =
         MeasureHeldOutViews(measured.training, measured.held_out,
                             training_bench.Run(method, std::nullopt).curves, console->context());
-    run["sigmas"] = nullptr;
+    run["sigmas"] = run["rods"] = nullptr;
     if (result.graph) {
       run["sigmas"] = MeasureSigmas(measured.truth, measured.scene.views, *result.graph);
+      run["rods"] = MeasureRods(measured.set, measured.truth, measured.scene.views,
+                                *result.with_rods, console->context());
       WriteResults(options, measured, method, *result.graph);
     }
     add_run(std::move(run));

@@ -12,7 +12,7 @@
 namespace limn::bench {
 namespace {
 
-// The links of a drawing that a user gets by default.
+// A drawing with all its links.
 DrawingGraph Draw(const Scene& scene, const CurveSketch& sketch, const PipelineOptions& options,
                   const RunContext& context) {
   const StageObserver unheard = [](const StageSummary&) {};
@@ -21,9 +21,7 @@ DrawingGraph Draw(const Scene& scene, const CurveSketch& sketch, const PipelineO
   DrawingGraph judged =
       RefineAndJudge({{scene.views, scene.curves}, drawing}, options, context, unheard);
   // Kinds, which need the photographs, do not change the curves.
-  const DrawingGraph described =
-      DescribeLinks(std::move(judged), scene.views, nullptr, options, context, unheard);
-  return Selected(described, LinkSelection());
+  return DescribeLinks(std::move(judged), scene.views, nullptr, options, context, unheard);
 }
 
 }  // namespace
@@ -88,12 +86,16 @@ Reconstruction Workbench::Run(const Method& method, std::optional<int> threshold
   const PipelineOptions options = OptionsOf(method, threshold);
   MakeSketch(options);
   if (!method.draws) {
-    return {ToCurveSet(sketch_), ToSupportedCurves(sketch_), std::nullopt, sketch_times_};
+    return {ToCurveSet(sketch_), ToSupportedCurves(sketch_), std::nullopt, std::nullopt,
+            sketch_times_};
   }
   const Stopwatch stopwatch;
-  DrawingGraph graph = Draw(scene_, sketch_, options, context_);
+  const DrawingGraph drawn = Draw(scene_, sketch_, options, context_);
   const Times times = sketch_times_ + stopwatch.Elapsed();
-  return {ToCurveSet(graph), ToSupportedCurves(graph), std::move(graph), times};
+  // What a user gets by default.
+  DrawingGraph graph = Selected(drawn, LinkSelection::AsSeen());
+  return {ToCurveSet(graph), ToSupportedCurves(graph), std::move(graph),
+          Selected(drawn, LinkSelection()), times};
 }
 
 }  // namespace limn::bench

@@ -19,8 +19,10 @@ namespace limn::bench {
 struct Reconstruction {
   CurveSet set;
   std::vector<SupportedCurve> curves;
-  std::optional<DrawingGraph> graph;  // of a drawing
-  Times times;                        // from image curves on
+  std::optional<DrawingGraph> graph;  // of a drawing, rods by their outlines
+  // The same drawing with rods by their center lines.
+  std::optional<DrawingGraph> with_rods;
+  Times times;  // from image curves on
 };
 
 // A way from image curves to 3D curves, and the threshold that is swept for its curve of precision

@@ -161,6 +161,28 @@ void PrintFeatures(const Json& set, std::ostream& out) {
   out << '\n';
 }
 
+// Of drawings, at the middle tau, where the truth has center lines of rods.
+void PrintRods(const Json& set, std::ostream& out) {
+  const size_t tau = set["taus"].size() / 2;
+  std::vector<Cells> rows;
+  for (const Json& run : set["runs"]) {
+    if (!IsDefault(run) || run["rods"].is_null()) continue;
+    for (const auto& [box, per_tau] : run["rods"].items()) {
+      const Json& rods = per_tau[tau];
+      rows.push_back({run["method"], box, Fixed(rods["true_length"], 1), Percent(rods["recall"]),
+                      Fixed(rods["links_per_length"], 2), Fixed(rods["false_per_length"], 3),
+                      Fixed(rods["median_error"], 2), Fixed(rods["median_radius_ratio"], 2)});
+    }
+  }
+  if (rows.empty()) return;
+  out << "Rods at tau = " << Short(set["taus"][tau]) << ":\n\n";
+  PrintHead({"method", "box", "true length", "told as rods", "drawn, per true length",
+             "false rods, per true length", "median error", "radius over the true one"},
+            out);
+  for (const Cells& cells : rows) PrintRow(cells, out);
+  out << '\n';
+}
+
 // Programs whose results are not there have no rows.
 void PrintMissingPeers(const Json& set, std::ostream& out) {
   for (const Json& path : set["missing_peers"]) {
@@ -302,6 +324,7 @@ void PrintSet(const Json& set, std::ostream& out) {
     PrintTruth(set, out);
     PrintStructure(set, out);
     PrintFeatures(set, out);
+    PrintRods(set, out);
     PrintMissingPeers(set, out);
     PrintShareOfCeiling(set, out);
   }

@@ -102,7 +102,8 @@ test('outlines of smooth bodies and tentative links are hidden until they are as
     // As a drawing with such links would begin.
     await page.evaluate(() => {
       window.limnViewer.drawing.kindCategory[0] = 4;
-      window.limnViewer.drawing.kindCategory[1] = 5;
+      window.limnViewer.drawing.kindCategory[1] = 6;
+      window.limnViewer.drawing.kindCategory[2] = 5;
     });
     await page.locator('#scheme').selectOption('kind');
     assert.deepEqual(await visible(), [0, 0, ...Array(11).fill(1)]);
@@ -113,8 +114,24 @@ test('outlines of smooth bodies and tentative links are hidden until they are as
       await box.check();
       assert.equal((await visible())[link], 1);
     }
+    assert.equal(await legend.filter({ hasText: 'rod' }).locator('input').isChecked(), true);
     await legend.filter({ hasText: 'shadow' }).locator('input').uncheck();
     assert.deepEqual(await visible(), [...Array(12).fill(1), 0]);
+  }));
+
+test('rods tell their radius', () =>
+  withPage(async (page) => {
+    const radiusOf = async (link) => {
+      await page.evaluate((id) => window.limnViewer.pick(id), link);
+      const row = page.locator('#link-details tr').filter({ hasText: 'Radius of the rod' });
+      return (await row.count()) === 0 ? null : row.locator('td').textContent();
+    };
+    await page.evaluate(() => {
+      window.limnViewer.drawing.linkKind[0] = 5;
+      window.limnViewer.drawing.rodRadius[0] = 0.125;
+    });
+    assert.equal(await radiusOf(0), '0.125');
+    assert.equal(await radiusOf(1), null);
   }));
 
 test('the report is shown, texts as texts', () =>

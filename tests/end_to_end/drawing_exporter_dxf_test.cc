@@ -132,6 +132,24 @@ TEST(DrawingExporterDxf, ScaledAndTurnedArcsToo) {
   }
 }
 
+TEST(DrawingExporterDxf, RodsHaveTheirRadius) {
+  DrawingGraph graph = PrimitiveDrawing();
+  for (const int id : {0, 1, 2, 4}) {
+    graph.links[id].kind = LinkKind::kRod;
+    graph.links[id].rod_radius = 0.125 * (id + 1);
+  }
+  const ExportedDrawing exported(graph);
+  exported.Export("d.dxf", {"--scale", "1000", "--layers", "kind"});
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSoundFile(read);
+  EXPECT_TRUE(read.at("layers").contains("rod"));
+  for (const auto& [id, entity] : LinkEntities(read)) {
+    const double radius = graph.links[id].rod_radius;
+    EXPECT_EQ(entity.at("rod_radius"), radius > 0 ? json(1000 * radius) : json());
+    EXPECT_EQ(entity.at("layer"), radius > 0 ? "rod" : "unknown");
+  }
+}
+
 std::map<std::string, int> CountsByLayer(const json& read) {
   std::map<std::string, int> counts;
   for (const json& entity : read.at("entities")) ++counts[entity.at("layer")];

@@ -141,6 +141,33 @@ TEST(DrawingExporter, GlbWithACloud) {
   EXPECT_THAT(refused.err, HasSubstr("only .glb files hold a cloud"));
 }
 
+TEST(DrawingExporter, RodsByCenterLinesOutlinesOrTubes) {
+  DrawingGraph graph = PrimitiveDrawing();
+  graph.links[0].kind = LinkKind::kRod;
+  graph.links[0].rod_radius = 0.0625;
+  graph.links[3].tentative = true;
+  graph.links[3].doubt = LinkDoubt::kRodOutline;
+  const ExportedDrawing exported(graph);
+  exported.Export("lines.json", {"--scale", "2"});
+  const DrawingGraph lines = ReadDrawingJson(exported.Path("lines.json")).graph;
+  ASSERT_EQ(lines.links.size(), graph.links.size() - 1);
+  EXPECT_EQ(lines.links[0].rod_radius, 0.125);
+  exported.Export("outlines.json", {"--rods_as_outlines", "1"});
+  const DrawingGraph outlines = ReadDrawingJson(exported.Path("outlines.json")).graph;
+  ASSERT_EQ(outlines.links.size(), graph.links.size() - 1);
+  EXPECT_EQ(outlines.links[2].doubt, LinkDoubt::kRodOutline);
+  exported.Export("lines.glb");
+  exported.Export("tubes.glb", {"--rods_as_tubes", "1"});
+  const auto files = ReadTree(exported.dir().path());
+  EXPECT_THAT(files.at("tubes.glb"), HasSubstr("\"name\":\"rods\""));
+  EXPECT_THAT(files.at("lines.glb"), ::testing::Not(HasSubstr("\"name\":\"rods\"")));
+  for (const char* name : {"a.obj", "a.json", "a.svg"}) {
+    const LimnRun refused = exported.TryExport(name, {"--rods_as_tubes", "1", "--view", "top"});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_EQ(refused.err, "ERROR: rods_as_tubes: only in .glb and .step files\n");
+  }
+}
+
 // STEP by the command; what is in the file is tested in limn/formats.
 TEST(DrawingExporter, StepWhereItIsBuilt) {
   const ExportedDrawing exported(PrimitiveDrawing());
@@ -153,6 +180,12 @@ TEST(DrawingExporter, StepWhereItIsBuilt) {
   }
   exported.Export("a.step", {"--unit", "m"});
   exported.Export("b.step", {"--scale", "1000"});
+  DrawingGraph with_rod = PrimitiveDrawing();
+  with_rod.links[0].kind = LinkKind::kRod;
+  with_rod.links[0].rod_radius = 0.0625;
+  const ExportedDrawing rod(with_rod);
+  rod.Export("tube.step", {"--rods_as_tubes", "1"});
+  EXPECT_THAT(ReadTree(rod.dir().path()).at("tube.step"), HasSubstr("MANIFOLD_SOLID_BREP("));
   const auto files = ReadTree(exported.dir().path());
   EXPECT_THAT(files.at("a.step"), StartsWith("ISO-10303-21;"));
   EXPECT_EQ(files.at("a.step"), files.at("b.step"));

@@ -136,7 +136,8 @@ TauResult Judge(const fs::path& drawing, double tau = 2) {
   options.region =
       Eigen::AlignedBox3d(Eigen::Vector3d(-1.25, -0.95, 0.04), Eigen::Vector3d(1.25, 0.95, 1.05));
   const auto views = colmap_ext::ToViews(SampleModel(), LIMN_SAMPLE_DIR "/day/images", {}).views;
-  const DrawingGraph graph = Selected(ReadDrawingJson(drawing.string()).graph, LinkSelection());
+  const DrawingGraph graph =
+      Selected(ReadDrawingJson(drawing.string()).graph, LinkSelection::AsSeen());
   return EvaluateCurvesInFootprints(ToCurveSet(graph),
                                     ReadCurves(LIMN_SAMPLE_DIR "/truth/curves-visible.ply"), views,
                                     options, ReadCurves(LIMN_SAMPLE_DIR "/truth/dont-care.ply"))

@@ -113,7 +113,7 @@ const DrawingGraph& Drawing(const std::string& set = "day") {
 const TauResult& Result(const std::string& set) {
   static std::map<std::string, TauResult> results;
   if (!results.contains(set)) {
-    results[set] = Judge(ToCurveSet(Selected(Drawing(set), LinkSelection())), set);
+    results[set] = Judge(ToCurveSet(Selected(Drawing(set), LinkSelection::AsSeen())), set);
   }
   return results[set];
 }

@@ -256,6 +256,56 @@ TEST_F(WorkspaceDrawing, ItsFacesAreJudgedByATrueSurface) {
   EXPECT_THAT(of_mesh.out, HasSubstr("2 rho      100.0      100.0      100.0"));
 }
 
+// A rod of radius 0.02 and the outlines that it stands for, with nodes of their own.
+void AddRodWithOutlines(DrawingGraph* graph) {
+  for (const double y : {1.0, 0.98, 1.02}) {
+    DrawingLink link;
+    link.points_in_world = {{0, y, 0.5}, {1, y, 0.5}};
+    link.sigma = {0.01, 0.01};
+    link.node0 = static_cast<NodeId>(graph->nodes.size());
+    link.node1 = link.node0 + 1;
+    const bool is_rod = y == 1;
+    link.kind = is_rod ? LinkKind::kRod : LinkKind::kEdge;
+    link.rod_radius = is_rod ? 0.02 : 0;
+    link.tentative = !is_rod;
+    link.doubt = is_rod ? LinkDoubt::kNone : LinkDoubt::kRodOutline;
+    for (const Eigen::Vector3d& end : link.points_in_world) {
+      graph->nodes.emplace_back();
+      graph->nodes.back().position_in_world = end;
+    }
+    graph->links.push_back(link);
+  }
+  RebuildIncidence(graph);
+}
+
+TEST_F(WorkspaceDrawing, ItsRodsAreJudgedByTrueCenterLinesOrByTheirOutlines) {
+  AddRodWithOutlines(&drawing_.graph);
+  Store("drawing.json");
+  const std::string truth =
+      dir_.WriteFile("truth.obj",
+                     "v 0 0 0\nv 0.5 0 0.5\nl 1 2\nv 0.75 0.25 0.5\nv 0.5 0.75 0.5\nl 2 3 4\n"
+                     "v 0 0.98 0.5\nv 1 0.98 0.5\nl 5 6\nv 0 1.02 0.5\nv 1 1.02 0.5\nl 7 8\n");
+  const std::string rods = dir_.WriteFile("rods.obj", "v 0 1 0.5\nv 1 1 0.5\nl 1 2\n");
+  const std::vector<std::string> by_outlines = {"--truth_path", truth, "--taus", "0.01"};
+  const LimnRun as_seen = Run("drawing_evaluator", by_outlines);
+  ASSERT_EQ(as_seen.exit_code, 0) << as_seen.err;
+  EXPECT_THAT(as_seen.out, HasSubstr(" 0.01      100.0      100.0      100.0"));
+  EXPECT_THAT(as_seen.out, HasSubstr("\nlinks 4,"));
+  EXPECT_THAT(as_seen.out, Not(HasSubstr("told as rods")));
+  std::vector<std::string> more = by_outlines;
+  more.insert(more.end(), {"--rods_as_outlines", "0"});
+  EXPECT_THAT(Run("drawing_evaluator", more).out, HasSubstr("\nlinks 3,"));
+  more = by_outlines;
+  more.insert(more.end(), {"--rods_path", rods});
+  const LimnRun as_rods = Run("drawing_evaluator", more);
+  ASSERT_EQ(as_rods.exit_code, 0) << as_rods.err;
+  EXPECT_THAT(as_rods.out, HasSubstr("\nlinks 2,"));
+  EXPECT_THAT(as_rods.out, HasSubstr("rods, at tau 0.01: 100.0 % of 1 told as rods, drawn 1 times, "
+                                     "false rods 0 per true length, median error 0\n"));
+  const LimnRun alone = Run("drawing_evaluator", {"--truth_mesh_path", truth, "--rods_path", rods});
+  EXPECT_THAT(alone.err, HasSubstr("rods_path: needs truth_path"));
+}
+
 // Drawn with refined cameras in a world that is turned and twice as large.
 TEST_F(WorkspaceDrawing, IsJudgedInTheFrameOfTheTrueCameras) {
   Store("truth.json");

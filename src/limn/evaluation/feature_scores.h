@@ -54,11 +54,32 @@ struct CornerScores {
   std::optional<int> num_open_near;
 };
 
+// Rods by their center lines. A drawn rod and a true one match where they are within tau of each
+// other and parallel within 20 degrees; don't-care curves forgive no rod.
+struct RodScores {
+  double true_length = 0;   // world units
+  double drawn_length = 0;  // of drawn rods, world units
+  // Share of the true length that a drawn rod matches: what is told as rods.
+  std::optional<double> recall;
+  // Length of all links, rods or not, that run within radius + tau of a true center line and
+  // parallel within 20 degrees, per true length: 1 is best, 2 are both outlines. The radius is the
+  // true one, or else that of the thickest drawn rod that matches there. Where neither is known
+  // nothing counts: outlines cannot be told from what is beside the rod.
+  std::optional<double> links_per_length;
+  // Length of drawn rods that match no true one, per true length.
+  std::optional<double> false_per_length;
+  // Of drawn rods where they match: medians over length of the distance from the true center line,
+  // in the unit of tau, and of the radius over the true one where that is known.
+  std::optional<double> median_error, median_radius_ratio;
+};
+
 struct FeatureScores {
   std::vector<CircleScores> circles;  // only radii that occur
   JunctionKindScores corners, tees, crossings;
   std::vector<PairScores> pairs;  // none in world units
   CornerScores drawn_corners;
+  // Filled in by callers that have true rods (rod_scores.h).
+  std::optional<RodScores> rods;
 };
 
 }  // namespace limn

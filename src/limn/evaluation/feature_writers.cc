@@ -61,6 +61,32 @@ void PrintPairs(const std::vector<PairScores>& pairs, double tau, std::ostream& 
     out << "found of pairs of curves, at tau " << Cell(tau, 4) << ": " << text << '\n';
 }
 
+void PrintRods(const RodScores& rods, double tau, std::ostream& out) {
+  constexpr int kDigits = 3;
+  out << "rods, at tau " << Cell(tau, 4) << ": " << Percent(rods.recall) << " % of "
+      << Cell(rods.true_length, 4) << " told as rods, drawn "
+      << Cell(rods.links_per_length, kDigits) << " times, false rods "
+      << Cell(rods.false_per_length, kDigits) << " per true length";
+  if (rods.median_error) out << ", median error " << Cell(rods.median_error, kDigits);
+  if (rods.median_radius_ratio) {
+    out << ", radius " << Cell(rods.median_radius_ratio, kDigits) << " of the true one";
+  }
+  out << '\n';
+}
+
+Json RodsAsJson(const RodScores& rods) {
+  const auto or_null = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
+  return {{"true_length", rods.true_length},
+          {"drawn_length", rods.drawn_length},
+          {"recall", or_null(rods.recall)},
+          {"links_per_length", or_null(rods.links_per_length)},
+          {"false_per_length", or_null(rods.false_per_length)},
+          {"median_error", or_null(rods.median_error)},
+          {"median_radius_ratio", or_null(rods.median_radius_ratio)}};
+}
+
 Json CirclesAsJson(const std::vector<CircleScores>& circles) {
   Json json = Json::array();
   for (const CircleScores& bin : circles) {
@@ -107,6 +133,7 @@ void PrintFeatures(const FeatureScores& scores, double tau, std::ostream& out) {
   PrintKinds(scores, tau, out);
   PrintCorners(scores.drawn_corners, tau, out);
   PrintPairs(scores.pairs, tau, out);
+  if (scores.rods) PrintRods(*scores.rods, tau, out);
 }
 
 void AddFeatures(const FeatureScores& scores, Json* json) {
@@ -116,6 +143,7 @@ void AddFeatures(const FeatureScores& scores, Json* json) {
   (*json)["corners"] = KindAsJson(scores.corners);
   AddDrawnCorners(scores.drawn_corners, &(*json)["corners"]);
   (*json)["pairs"] = PairsAsJson(scores.pairs);
+  (*json)["rods"] = scores.rods ? RodsAsJson(*scores.rods) : Json(nullptr);
 }
 
 }  // namespace limn

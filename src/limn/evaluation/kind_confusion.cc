@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <initializer_list>
 #include <ostream>
-#include <utility>
 
 #include "limn/evaluation/curve_samples.h"
 #include "limn/model/footprint.h"
@@ -27,17 +27,17 @@ class NearestKind {
   }
 
   LinkKind At(const Eigen::Vector3d& place, double reach) const {
-    for (const auto& [first, second] : {std::pair(LinkKind::kEdge, LinkKind::kPaint),
-                                        std::pair(LinkKind::kShadow, LinkKind::kContour)}) {
-      const double to_first = Distance(first, place);
-      const double to_second = Distance(second, place);
-      if (std::min(to_first, to_second) > reach) continue;
-      return to_first <= to_second ? first : second;
-    }
-    return LinkKind::kUnknown;
+    const LinkKind first = NearestOf({LinkKind::kEdge, LinkKind::kPaint, LinkKind::kRod}, place);
+    if (Distance(first, place) <= reach) return first;
+    const LinkKind second = NearestOf({LinkKind::kShadow, LinkKind::kContour}, place);
+    return Distance(second, place) <= reach ? second : LinkKind::kUnknown;
   }
 
  private:
+  LinkKind NearestOf(std::initializer_list<LinkKind> kinds, const Eigen::Vector3d& place) const {
+    return *std::ranges::min_element(kinds, {},
+                                     [&](LinkKind kind) { return Distance(kind, place); });
+  }
   double Distance(LinkKind kind, const Eigen::Vector3d& place) const {
     return samples_[static_cast<int>(kind)].Distance(place);
   }

@@ -31,8 +31,8 @@ struct KindConfusion {
   std::array<std::array<double, kNumLinkKinds>, kNumLinkKinds> length = {};
 };
 
-// The kind of the drawn length against that of the nearest true curve. Edges and paint come before
-// shadows and contours that are nearer: these often run beside what causes them. Throws
+// The kind of the drawn length against that of the nearest true curve. Edges, paint and rods come
+// before shadows and contours that are nearer: these often run beside what causes them. Throws
 // OptionError.
 KindConfusion CompareKinds(const DrawingGraph& drawing, const CurvesByKind& truth,
                            const std::vector<View>& views, const KindConfusionOptions& options);

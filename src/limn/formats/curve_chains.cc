@@ -13,6 +13,13 @@ struct Edge {
   int label = 0;
   int a = 0;
   int b = 0;
+  double radius = 0;
+};
+
+struct Chain {
+  int first_edge = 0;  // the smallest
+  Polyline3d points;
+  double radius = 0;  // of that edge
 };
 
 std::vector<Edge> CleanEdges(const EdgeSoup& soup, const std::vector<int>& weld) {
@@ -24,7 +31,7 @@ std::vector<Edge> CleanEdges(const EdgeSoup& soup, const std::vector<int>& weld)
     if (weld[v0] == weld[v1]) continue;
     const auto pair = soup.merge_copies ? std::minmax(weld[v0], weld[v1]) : std::minmax(v0, v1);
     if (seen.insert({label, pair.first, pair.second}).second) {
-      edges.push_back({label, weld[v0], weld[v1]});
+      edges.push_back({label, weld[v0], weld[v1], soup.radii.empty() ? 0 : soup.radii[i]});
     }
   }
   return edges;
@@ -42,8 +49,8 @@ class Chainer {
     std::sort(ends_.begin(), ends_.end());
   }
 
-  std::vector<Polyline3d> Run() {
-    std::vector<std::pair<int, Polyline3d>> chains;
+  std::vector<Chain> Run() {
+    std::vector<Chain> chains;
     for (size_t e = 0; e < edges_.size(); ++e) {
       for (const int vertex : {edges_[e].a, edges_[e].b}) {
         if (!used_[e] && Degree(edges_[e].label, vertex) != 2) {
@@ -55,11 +62,8 @@ class Chainer {
     for (size_t e = 0; e < edges_.size(); ++e) {
       if (!used_[e]) chains.push_back(Walk(static_cast<int>(e), edges_[e].a));
     }
-    std::sort(chains.begin(), chains.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Polyline3d> polylines;
-    for (auto& chain : chains) polylines.push_back(std::move(chain.second));
-    return polylines;
+    std::ranges::sort(chains, {}, &Chain::first_edge);
+    return chains;
   }
 
  private:
@@ -76,18 +80,18 @@ class Chainer {
     return static_cast<int>(end - begin);
   }
 
-  // The chain from `vertex` along `edge`, with the smallest edge index in it.
-  std::pair<int, Polyline3d> Walk(int edge, int vertex) {
-    int first_edge = edge;
-    Polyline3d polyline = {vertices_[vertex]};
+  // The chain from `vertex` along `edge`.
+  Chain Walk(int edge, int vertex) {
+    Chain chain = {edge, {vertices_[vertex]}};
     while (edge >= 0) {
       used_[edge] = true;
-      first_edge = std::min(first_edge, edge);
+      chain.first_edge = std::min(chain.first_edge, edge);
       vertex = edges_[edge].a == vertex ? edges_[edge].b : edges_[edge].a;
-      polyline.push_back(vertices_[vertex]);
+      chain.points.push_back(vertices_[vertex]);
       edge = NextEdge(edges_[edge].label, vertex);
     }
-    return {first_edge, std::move(polyline)};
+    chain.radius = edges_[chain.first_edge].radius;
+    return chain;
   }
 
   int NextEdge(int label, int vertex) const {
@@ -115,7 +119,10 @@ CurveSet ChainEdges(const EdgeSoup& soup) {
     if (!in_edge[i]) set.points.push_back(soup.vertices[i]);
   }
   const std::vector<int> weld = WeldPoints(soup.vertices);
-  set.polylines = Chainer(soup.vertices, CleanEdges(soup, weld)).Run();
+  for (Chain& chain : Chainer(soup.vertices, CleanEdges(soup, weld)).Run()) {
+    set.polylines.push_back(std::move(chain.points));
+    if (!soup.radii.empty()) set.rod_radii.push_back(chain.radius);
+  }
   return set;
 }
 

@@ -18,6 +18,7 @@
 #include <tiny_gltf.h>
 
 #include "limn/formats/face_mesh.h"
+#include "limn/formats/tube_mesh.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/drawing_paths.h"
 #include "limn/util/errors.h"
@@ -59,16 +60,23 @@ tinygltf::Material CurveMaterial() {
   return material;
 }
 
-tinygltf::Material FaceMaterial() {
+tinygltf::Material MattMaterial(const std::string& name) {
   constexpr double kGray = 0.6;
   tinygltf::Material material;
-  material.name = "faces";
+  material.name = name;
   material.doubleSided = true;
   material.pbrMetallicRoughness.baseColorFactor = {kGray, kGray, kGray, 1};
   material.pbrMetallicRoughness.metallicFactor = 0;
   material.pbrMetallicRoughness.roughnessFactor = 1;
   return material;
 }
+
+// A normal per vertex.
+struct Triangles {
+  const std::vector<Eigen::Vector3d>& vertices;
+  const std::vector<Eigen::Vector3d>& normals;
+  const std::vector<std::array<int, 3>>& triangles;
+};
 
 // Collects vertices and what refers to them: first those with colors, then those with normals.
 class SceneBuilder {
@@ -111,21 +119,20 @@ class SceneBuilder {
   }
 
   // Triangles; after all children with colors.
-  void AddFace(const std::string& name, const DrawingFace& face, Value::Object extras) {
-    if (model_.materials.size() == kFaces) model_.materials.push_back(FaceMaterial());
-    const std::vector<Eigen::Vector3d> normals = VertexNormals(face);
+  void AddTriangles(const std::string& name, const Triangles& surface, const std::string& material,
+                    Value::Object extras) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.material = kFaces;
-    for (const Eigen::Vector3d& vertex : face.vertices) AddPosition(vertex);
-    primitive.attributes["POSITION"] = AddPositions(face.vertices.size());
-    primitive.attributes["NORMAL"] = AddNormals(normals);
+    primitive.material = MattMaterialNamed(material);
+    for (const Eigen::Vector3d& vertex : surface.vertices) AddPosition(vertex);
+    primitive.attributes["POSITION"] = AddPositions(surface.vertices.size());
+    primitive.attributes["NORMAL"] = AddNormals(surface.normals);
     std::vector<uint32_t> corners;
-    for (const auto& triangle : face.triangles) {
+    for (const auto& triangle : surface.triangles) {
       corners.insert(corners.end(), triangle.begin(), triangle.end());
     }
     primitive.indices = AddIndices(corners);
-    first_vertex_ += face.vertices.size();
+    first_vertex_ += surface.vertices.size();
     AddMesh(name, primitive, std::move(extras));
   }
 
@@ -141,9 +148,18 @@ class SceneBuilder {
   }
 
  private:
-  enum MaterialIndex { kCurves, kFaces };
+  static constexpr int kCurves = 0;  // the material
   // Accessors name their buffer views by these until the views are made.
   enum ViewKind { kPositions, kColors, kIndices, kNormals };
+
+  // The material's index.
+  int MattMaterialNamed(const std::string& name) {
+    std::vector<tinygltf::Material>& materials = model_.materials;
+    const auto found = std::ranges::find(materials, name, &tinygltf::Material::name);
+    const auto index = static_cast<int>(found - materials.begin());
+    if (found == materials.end()) materials.push_back(MattMaterial(name));
+    return index;
+  }
 
   void AddPosition(const Eigen::Vector3d& point) {
     const Eigen::Vector3f place = YUp(point - origin_).cast<float>();
@@ -277,9 +293,9 @@ class SceneBuilder {
   size_t first_vertex_ = 0;
 };
 
-void AddLink(const DrawingLink& link, int id, LinkId curve, SceneBuilder* scene) {
-  const size_t count = link.points_in_world.size() - (link.closed ? 1 : 0);
-  for (size_t i = 0; i < count; ++i) scene->AddVertex(link.points_in_world[i], ColorOfCurve(curve));
+std::string NodeNameOf(LinkId id) { return "link_" + std::to_string(id); }
+
+Value::Object ExtrasOf(const DrawingLink& link, LinkId id, LinkId curve) {
   Value::Object extras = {{"link", Value(id)},
                           {"curve", Value(curve)},
                           {"length", Value(Length(link.points_in_world))},
@@ -292,9 +308,21 @@ void AddLink(const DrawingLink& link, int id, LinkId curve, SceneBuilder* scene)
     extras["kind"] = Value(std::string(LinkKindName(link.kind)));
     extras["kind_confidence"] = Value(link.kind_confidence);
   }
+  if (link.kind == LinkKind::kRod) extras["rod_radius"] = Value(link.rod_radius);
   if (link.tentative) extras["tentative"] = Value(true);
-  scene->AddChild("link_" + std::to_string(id), TINYGLTF_MODE_LINE_STRIP, link.closed,
-                  std::move(extras));
+  return extras;
+}
+
+void AddLink(const DrawingLink& link, LinkId id, LinkId curve, SceneBuilder* scene) {
+  const size_t count = link.points_in_world.size() - (link.closed ? 1 : 0);
+  for (size_t i = 0; i < count; ++i) scene->AddVertex(link.points_in_world[i], ColorOfCurve(curve));
+  scene->AddChild(NodeNameOf(id), TINYGLTF_MODE_LINE_STRIP, link.closed, ExtrasOf(link, id, curve));
+}
+
+void AddTube(const DrawingLink& link, LinkId id, LinkId curve, SceneBuilder* scene) {
+  const TubeMesh tube = MakeTube(link.points_in_world, link.closed, link.rod_radius);
+  scene->AddTriangles(NodeNameOf(id), {tube.vertices, tube.normals, tube.triangles}, "rods",
+                      ExtrasOf(link, id, curve));
 }
 
 void AddJunctions(const DrawingGraph& graph, SceneBuilder* scene) {
@@ -313,12 +341,13 @@ void AddFaces(const DrawingGraph& graph, SceneBuilder* scene) {
   for (size_t id = 0; id < graph.faces.size(); ++id) {
     const DrawingFace& face = graph.faces[id];
     if (face.triangles.empty()) continue;
-    scene->AddFace("face_" + std::to_string(id), face,
-                   {{"face", Value(static_cast<int>(id))},
-                    {"surface", Value(std::string(FaceSurfaceName(face.surface)))},
-                    {"area", Value(AreaOf(face))},
-                    {"confidence", Value(face.confidence)},
-                    {"views", Value(static_cast<int>(face.views.size()))}});
+    scene->AddTriangles("face_" + std::to_string(id),
+                        {face.vertices, VertexNormals(face), face.triangles}, "faces",
+                        {{"face", Value(static_cast<int>(id))},
+                         {"surface", Value(std::string(FaceSurfaceName(face.surface)))},
+                         {"area", Value(AreaOf(face))},
+                         {"confidence", Value(face.confidence)},
+                         {"views", Value(static_cast<int>(face.views.size()))}});
   }
 }
 
@@ -327,12 +356,19 @@ void AddFaces(const DrawingGraph& graph, SceneBuilder* scene) {
 void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out) {
   SceneBuilder scene(MiddleOf(graph));
   const std::vector<LinkId> curves = CurvesOf(graph);
-  for (size_t id = 0; id < graph.links.size(); ++id) {
-    AddLink(graph.links[id], static_cast<int>(id), curves[id], &scene);
+  const auto num_links = static_cast<LinkId>(graph.links.size());
+  const auto is_tube = [&](LinkId id) {
+    return options.rods_as_tubes && graph.links[id].kind == LinkKind::kRod;
+  };
+  for (LinkId id = 0; id < num_links; ++id) {
+    if (!is_tube(id)) AddLink(graph.links[id], id, curves[id], &scene);
   }
   if (options.junctions) AddJunctions(graph, &scene);
   for (const GlbPoint& point : options.cloud) scene.AddVertex(point.position, point.color);
   if (!options.cloud.empty()) scene.AddChild("cloud", TINYGLTF_MODE_POINTS, false, {});
+  for (LinkId id = 0; id < num_links; ++id) {
+    if (is_tube(id)) AddTube(graph.links[id], id, curves[id], &scene);
+  }
   AddFaces(graph, &scene);
   scene.Write(out);
 }

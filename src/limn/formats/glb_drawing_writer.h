@@ -18,6 +18,8 @@ struct GlbPoint {
 struct GlbOptions {
   // The junctions of the graph as points.
   bool junctions = true;
+  // Rods as tubes of their radius.
+  bool rods_as_tubes = false;
   // Points of a cloud to export with the drawing, in its coordinates; finite.
   std::vector<GlbPoint> cloud;
 };
@@ -28,7 +30,9 @@ struct GlbOptions {
 //                            object of its own; a closed one returns to its first vertex by index.
 //                            extras: "link", "curve", "length", "closed", "residual_px", "views",
 //                            and where known "primitive", "class", "kind" and "kind_confidence";
-//                            "tentative" if it is
+//                            "tentative" if it is, "rod_radius" of rods
+//                            With rods_as_tubes a rod is instead triangles with smooth normals, of
+//                            the material "rods", which is like "faces"
 //     node "face_<id>"       triangles with normals, of the material "faces" (matt, seen from both
 //                            sides). extras: "face", "surface", "area", "confidence", "views"
 //     node "junctions"       points, white; extras: "nodes", their ids in order

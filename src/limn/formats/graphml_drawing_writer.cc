@@ -23,7 +23,7 @@ constexpr Attribute kAttributes[] = {
     {"edge", "views", "int"},         {"edge", "residual_px", "double"},
     {"edge", "primitive", "string"},  {"edge", "class", "string"},
     {"edge", "edge_kind", "string"},  {"edge", "kind_confidence", "double"},
-    {"edge", "tentative", "boolean"},
+    {"edge", "tentative", "boolean"}, {"edge", "rod_radius", "double"},
 };
 
 void PutHead(std::ostream& out) {
@@ -66,6 +66,7 @@ void PutLink(const DrawingLink& link, size_t id, std::ostream& out) {
   Put("edge_kind", LinkKindName(link.kind), out);
   Put("kind_confidence", NumberText(link.kind_confidence), out);
   Put("tentative", link.tentative ? "true" : "false", out);
+  Put("rod_radius", NumberText(link.rod_radius), out);
   out << "</edge>\n";
 }
 

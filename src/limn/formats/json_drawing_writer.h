@@ -22,12 +22,13 @@ namespace limn {
 //               "incident": [[link, end], ...], "continuations": [[[link, end], [link, end]],
 //               ...]}],
 //    "links": [{"id", "curve" (CurvesOf), "node0", "node1", "closed", "length", "residual_px",
-//               "kind": "edge"|"paint"|"shadow"|"contour"|"unknown", "kind_confidence" where known,
-//               "tentative": true where it is, then
-//               "doubt": "few views"|"chance"|"seen through"|"explained by others" where known,
-//               after drawing_fuser also "dense": {"class": "surface"|"boundary"|"free"|"unknown",
-//               "added_share", "occluded_share", "behind_surface", "fold_deg" where known},
-//               "primitive": {"type": "line", "start", "end"} or
+//               "kind": "edge"|"paint"|"shadow"|"contour"|"rod"|"unknown", "kind_confidence" where
+//               known, of a rod "rod_radius", half its thickness, "tentative": true where it is,
+//               then "doubt": "few views"|"chance"|"seen through"|"explained by others"| "outline
+//               of a rod" where known, after drawing_fuser also "dense": {"class":
+//               "surface"|"boundary"|"free"|"unknown", "added_share", "occluded_share",
+//               "behind_surface", "fold_deg" where known}, "primitive": {"type": "line", "start",
+//               "end"} or
 //                            {"type": "arc"|"circle", "center", "x_axis", "y_axis", "radius",
 //                             "sweep_rad"} or
 //                            {"type": "spline", "degree": 3, "knots": [...],

@@ -8,7 +8,9 @@
 namespace limn {
 
 // Reads true curves with their kinds:
-//   {"curves": [{"kind": "edge"|"paint"|"shadow"|"contour", "points": [[x, y, z], ...]}, ...]}
+//   {"curves": [{"kind": "edge"|"paint"|"shadow"|"contour"|"rod", "points": [[x, y, z], ...]},
+//   ...]}
+// with rods by their center lines.
 // Indexed by LinkKind. Throws IoError.
 std::array<CurveSet, kNumLinkKinds> ReadJsonKinds(const std::string& path);
 

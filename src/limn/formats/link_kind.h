@@ -23,4 +23,11 @@ inline bool HasKinds(const DrawingGraph& graph) {
   return false;
 }
 
+inline bool HasRods(const DrawingGraph& graph) {
+  for (const DrawingLink& link : graph.links) {
+    if (link.kind == LinkKind::kRod) return true;
+  }
+  return false;
+}
+
 }  // namespace limn

@@ -58,6 +58,7 @@ void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, std::
     const DrawingLink& link = graph.links[id];
     out << "o link_" << id << '\n';
     if (has_kinds) out << "g " << LinkKindName(link.kind) << '\n';
+    if (link.kind == LinkKind::kRod) out << "# rod_radius " << NumberText(link.rod_radius) << '\n';
     std::vector<size_t> vertices = {static_cast<size_t>(link.node0) + 1};
     for (size_t i = 1; i + 1 < link.points_in_world.size(); ++i) {
       PutVector("v", link.points_in_world[i], out);

@@ -49,6 +49,7 @@ bool HasClasses(const DrawingGraph& graph) {
 void PutEdges(const DrawingGraph& graph, std::ostream& out) {
   const bool has_classes = HasClasses(graph);
   const bool has_kinds = HasKinds(graph);
+  const bool has_rods = HasRods(graph);
   int32_t first_inner = static_cast<int32_t>(graph.nodes.size());
   const std::vector<LinkId> curves = CurvesOf(graph);
   for (size_t id = 0; id < graph.links.size(); ++id) {
@@ -66,6 +67,7 @@ void PutEdges(const DrawingGraph& graph, std::ostream& out) {
         PutLittleEndian(out, static_cast<uint8_t>(ClassOf(link)));
       }
       if (has_kinds) PutLittleEndian(out, static_cast<uint8_t>(link.kind));
+      if (has_rods) PutLittleEndian(out, link.rod_radius);
       previous = next;
     }
     first_inner += num_inner;
@@ -92,9 +94,12 @@ void WriteDrawingPly(const DrawingGraph& graph, std::ostream& out) {
       << (HasClasses(graph) ? "comment class: 0 unknown, 1 surface, 2 boundary, 3 free\n"
                               "property uchar class\n"
                             : "")
-      << (HasKinds(graph) ? "comment kind: 0 unknown, 1 edge, 2 paint, 3 shadow, 4 contour\n"
+      << (HasKinds(graph) ? "comment kind: 0 unknown, 1 edge, 2 paint, 3 shadow, 4 contour, 5 rod\n"
                             "property uchar kind\n"
                           : "")
+      << (HasRods(graph) ? "comment rod_radius: half the thickness of a rod, else 0\n"
+                           "property double rod_radius\n"
+                         : "")
       << "end_header\n";
   PutVertices(graph, out);
   PutEdges(graph, out);

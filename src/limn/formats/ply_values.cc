@@ -82,14 +82,15 @@ int FindPlyScalar(const std::string& path, const PlyElement& element, const char
 }
 
 std::vector<Eigen::Vector3d> ReadPlyVertices(const std::string& path, const PlyElement& element,
-                                             PlyValues* values) {
+                                             PlyValues* values, const TakePlyRow& take) {
   const int x = FindPlyScalar(path, element, "x");
   const int y = FindPlyScalar(path, element, "y");
   const int z = FindPlyScalar(path, element, "z");
   std::vector<Eigen::Vector3d> vertices;
-  ReadPlyRows(element, -1, values, [&](const std::vector<double>& row, const auto&) {
+  ReadPlyRows(element, -1, values, [&](const std::vector<double>& row, const auto& list) {
     vertices.emplace_back(row[x], row[y], row[z]);
     if (!vertices.back().allFinite()) values->Fail("vertex coordinate not finite");
+    if (take) take(row, list);
   });
   return vertices;
 }

@@ -53,8 +53,8 @@ void ReadPlyRows(const PlyElement& element, int list_property, PlyValues* values
 // Index of the scalar property of this name; throws IoError if there is none.
 int FindPlyScalar(const std::string& path, const PlyElement& element, const char* name);
 
-// The positions of element vertex: x, y, z, all finite.
+// The positions of element vertex: x, y, z, all finite. `take`, unless empty, gets its rows, too.
 std::vector<Eigen::Vector3d> ReadPlyVertices(const std::string& path, const PlyElement& element,
-                                             PlyValues* values);
+                                             PlyValues* values, const TakePlyRow& take = {});
 
 }  // namespace limn

@@ -173,7 +173,9 @@ void WriteTracks(const DrawingGraph& graph, const LinkSelection& selection,
          "# X, Y are pixels of the image as stored (with its lens distortion), in COLMAP's\n"
          "# convention: the centre of the top-left pixel is (0.5, 0.5). A link is clipped to the\n"
          "# image; parts hidden behind surfaces are not told apart. Links that were not\n"
-         "# selected, by default tentative ones and outlines of smooth bodies, are left out.\n"
+         "# selected, by default tentative ones and outlines of smooth bodies, are left out; of "
+         "rods\n"
+         "# there are the outlines, not the center lines, which no image shows.\n"
          "# In panoramas X goes on over the left border, where it is negative, and runs end where\n"
          "# parts of the panorama meet.\n"
       << "# Number of links: " << num_links << " of " << graph.links.size() << '\n';

@@ -10,7 +10,6 @@
 #include "limn/formats/ply_drawing_writer.h"
 #include "limn/formats/ply_faces_writer.h"
 #include "limn/formats/ply_sketch_writer.h"
-#include "limn/formats/step/step_drawing_writer.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/util/errors.h"
 
@@ -41,27 +40,35 @@ void WriteSvg(const Job& job, std::ostream& out) {
 }
 
 #ifdef LIMN_WITH_STEP
-std::string NoteOn(const std::vector<int>& faces, size_t num_faces, const std::string& what) {
+// `what` begins with what the ids are those of.
+std::string NoteOn(const std::vector<int>& ids, size_t count, const std::string& what) {
   constexpr size_t kMaxNamed = 10;
-  std::string text =
-      std::to_string(faces.size()) + " of " + std::to_string(num_faces) + " faces " + what + ":";
-  for (size_t i = 0; i < std::min(faces.size(), kMaxNamed); ++i) {
-    text += ' ' + std::to_string(faces[i]);
+  std::string text = std::to_string(ids.size()) + " of " + std::to_string(count) + ' ' + what + ":";
+  for (size_t i = 0; i < std::min(ids.size(), kMaxNamed); ++i) {
+    text += ' ' + std::to_string(ids[i]);
   }
-  return faces.size() > kMaxNamed ? text + " ..." : text;
+  return ids.size() > kMaxNamed ? text + " ..." : text;
 }
 
 void WriteStep(const Job& job, std::ostream& out) {
   const size_t num_faces = job.graph.faces.size();
-  const StepFaceNotes notes = WriteDrawingStep(job.graph, job.options.unit, out);
+  const StepNotes notes = WriteDrawingStep(job.graph, job.options.step, job.options.unit, out);
   if (!notes.apart.empty()) {
-    job.left_out->push_back(NoteOn(notes.apart, num_faces,
-                                   "share no edges in the file, since their borders do not fit "
-                                   "those of their neighbors"));
+    job.left_out->push_back(
+        NoteOn(notes.apart, num_faces,
+               "faces share no edges in the file, since their borders do not fit "
+               "those of their neighbors"));
   }
   if (!notes.left_out.empty()) {
-    job.left_out->push_back(NoteOn(notes.left_out, num_faces,
-                                   "are not in the file, since they have no valid shape there"));
+    job.left_out->push_back(
+        NoteOn(notes.left_out, num_faces,
+               "faces are not in the file, since they have no valid shape there"));
+  }
+  if (!notes.rods_left_out.empty()) {
+    const auto num_rods = std::ranges::count(job.graph.links, LinkKind::kRod, &DrawingLink::kind);
+    job.left_out->push_back(NoteOn(notes.rods_left_out, num_rods,
+                                   "rods are curves in the file, since no tube along them is a "
+                                   "valid solid"));
   }
 }
 #endif

@@ -8,6 +8,7 @@
 #include "limn/formats/glb_drawing_writer.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/obj_drawing_writer.h"
+#include "limn/formats/step/step_drawing_writer.h"
 #include "limn/formats/svg/svg_drawing_writer.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
@@ -34,6 +35,7 @@ struct DrawingFormatOptions {
   ObjOptions obj;
   DxfOptions dxf;
   GlbOptions glb;
+  StepOptions step;
   SvgPicture svg;
   // Unit of the coordinates, for formats that store it (DXF, STEP).
   LengthUnit unit = LengthUnit::kNone;

@@ -35,6 +35,9 @@ struct CurveSet {
   std::vector<int> curves = {};
   // Per polyline, whether it is known to be a circle. Empty: polylines have no types.
   std::vector<uint8_t> is_circle = {};
+  // Per polyline, the radius of the rod whose center line it is, world units; 0: not known, or no
+  // rod. Empty: 0 for all.
+  std::vector<double> rod_radii = {};
 };
 
 inline bool IsCircle(const DrawingLink& link) {
@@ -49,6 +52,7 @@ inline CurveSet ToCurveSet(const DrawingGraph& graph) {
   for (const DrawingLink& link : graph.links) {
     set.polylines.push_back(link.points_in_world);
     set.is_circle.push_back(IsCircle(link));
+    set.rod_radii.push_back(link.rod_radius);
   }
   set.curves = CurvesOf(graph);
   set.nodes.reserve(graph.nodes.size());

@@ -40,9 +40,11 @@ void DrawPolyline(const View& view, const std::vector<Eigen::Vector3d>& points, 
   for (const auto& run : ProjectPolyline(view, points)) canvas->DrawLine(run, color, width);
 }
 
-// Whether a link is to be seen clearly: the view supports it, and exports have it.
+// Whether a link is to be seen clearly: the view supports it, and exports have it, or a rod in its
+// place.
 bool IsClear(ViewId view, const DrawingLink& link) {
-  return LinkSelection().Has(link) && std::ranges::binary_search(link.supporting_views, view);
+  return LinkSelection::AsSeen().Has(link) &&
+         std::ranges::binary_search(link.supporting_views, view);
 }
 
 Color ColorOf(EdgelFate fate) {

@@ -23,10 +23,10 @@ struct PictureOptions {
 };
 
 // A drawing over a photograph, in stored pixels, through the lens: one color per curve (CurvesOf).
-// Links that this view does not support, tentative links and outlines of smooth bodies (what
-// LinkSelection leaves out) are thin and faded; junctions are discs, ends small squares, loop
-// anchors diamonds, at nodes of other links. Occlusion is ignored. Throws InputError if the
-// photograph does not have the size of the view's camera.
+// Links that this view does not support, tentative links, outlines of smooth bodies and center
+// lines of rods (what LinkSelection::AsSeen leaves out) are thin and faded; junctions are discs,
+// ends small squares, loop anchors diamonds, at nodes of other links. Occlusion is ignored. Throws
+// InputError if the photograph does not have the size of the view's camera.
 Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const DrawingGraph& graph,
                     const PictureOptions& options = {});
 

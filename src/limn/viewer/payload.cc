@@ -158,14 +158,17 @@ void AddDense(const ViewerScene& scene, PayloadArrays* arrays) {
 void AddKinds(const ViewerScene& scene, PayloadArrays* arrays) {
   std::vector<uint8_t> kind, tentative;
   std::vector<float> confidence;
+  std::vector<double> rod_radius;
   for (const DrawingLink& link : scene.graph.links) {
     kind.push_back(static_cast<uint8_t>(link.kind));
     confidence.push_back(static_cast<float>(link.kind_confidence));
     tentative.push_back(link.tentative);
+    rod_radius.push_back(link.rod_radius);
   }
   arrays->Add("linkKind", kind);
   arrays->Add("kindConfidence", confidence);
   arrays->Add("linkTentative", tentative);
+  arrays->Add("rodRadius", rod_radius);
 }
 
 void AddNodes(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {

@@ -90,7 +90,8 @@ class Drawings(unittest.TestCase):
             self.assertTrue(np.array_equal(link.points[0], drawing.nodes[link.node0].position))
             self.assertTrue(np.array_equal(link.points[-1], drawing.nodes[link.node1].position))
             self.assertIn((link.id, 0), drawing.nodes[link.node0].link_ends)
-            self.assertIn(link.kind, ("edge", "paint", "shadow", "contour", "unknown"))
+            self.assertIn(link.kind, ("edge", "paint", "shadow", "contour", "rod", "unknown"))
+            self.assertEqual(link.rod_radius > 0, link.kind == "rod")
             self.assertAlmostEqual(link.length, np.linalg.norm(np.diff(link.points, axis=0), axis=1).sum(), places=9)
         self.assertEqual(sum(node.degree for node in drawing.nodes), 2 * len(drawing.links))
         self.assertEqual(drawing.links[-1].id, len(drawing.links) - 1)
@@ -170,6 +171,24 @@ class Drawings(unittest.TestCase):
         with_scene = limn.read_drawing(path, self.drawing.scene)
         name, track = next(iter(self.drawing.links[0].tracks.items()))
         self.assertTrue(np.allclose(with_scene.links[0].tracks[name], track, equal_nan=True))
+
+    def test_rods_are_center_lines_or_outlines(self):
+        path = self.output / "rods.json"
+        self.drawing.save(path)
+        stored = json.loads(path.read_text())
+        rod, outline = stored["links"][:2]
+        rod.update(kind="rod", rod_radius=0.125, tentative=False)
+        outline.update(kind="edge", tentative=True, doubt="outline of a rod")
+        for link in rod, outline:
+            link.pop("doubt" if link is rod else "rod_radius", None)
+        path.write_text(json.dumps(stored))
+        drawing = limn.read_drawing(path)
+        self.assertEqual((drawing.links[0].kind, drawing.links[0].rod_radius), ("rod", 0.125))
+        self.assertEqual((drawing.links[1].doubt, drawing.links[1].rod_radius), ("outline of a rod", 0))
+        self.assertEqual([link.rod_radius for link in drawing.selected("rod").links], [0.125])
+        outlines = drawing.selected(rods_as_outlines=True).links
+        self.assertNotIn("rod", [link.kind for link in outlines])
+        self.assertEqual([link.doubt for link in outlines if link.tentative], ["outline of a rod"])
 
     def test_export_has_the_options_of_the_command(self):
         path = self.output / "scaled.json"

@@ -22,6 +22,7 @@ void AddLine(const Eigen::Vector3d& from, const Eigen::Vector3d& to, LinkKind ki
   graph->nodes.resize(graph->nodes.size() + 2);
   graph->nodes[link.node0].position_in_world = from;
   graph->nodes[link.node1].position_in_world = to;
+  if (kind == LinkKind::kRod) link.rod_radius = 0.01;
   graph->links.push_back(link);
   RebuildIncidence(graph);
   EXPECT_TRUE(Validate(*graph).empty());
@@ -68,6 +69,19 @@ TEST(KindConfusionTest, TrueCurvesComeBeforeShadowsThatAreNearer) {
       1, 1e-9);
 }
 
+TEST(KindConfusionTest, RodsAreKnownByTheirCenterLinesAlthoughTheirOutlinesAreNearer) {
+  DrawingGraph drawing;
+  AddLine({0, 0, 0}, {1, 0, 0}, LinkKind::kRod, &drawing);
+  AddLine({0, 5, 0}, {1, 5, 0}, LinkKind::kRod, &drawing);
+  const CurvesByKind truth = TruthWith({{LinkKind::kContour, {{-1, 0.01, 0}, {2, 0.01, 0}}},
+                                        {LinkKind::kEdge, {{-1, 0.09, 0}, {2, 0.09, 0}}},
+                                        {LinkKind::kRod, {{-1, 0.05, 0}, {2, 0.05, 0}}},
+                                        {LinkKind::kContour, {{-1, 5.01, 0}, {2, 5.01, 0}}}});
+  const KindConfusion confusion = CompareKinds(drawing, truth, {}, {kNearby, {}});
+  EXPECT_NEAR(PointAtX(confusion, LinkKind::kRod, LinkKind::kRod), 1, 1e-9);
+  EXPECT_NEAR(PointAtX(confusion, LinkKind::kContour, LinkKind::kRod), 1, 1e-9);
+}
+
 TEST(KindConfusionTest, TauIsInFootprintsOfTheViewsAndTheRegionLimits) {
   // A shadow 1.5 px beside the link.
   const std::vector<View> views = testing::FrontalViews(2, 1, 0.1);
@@ -98,6 +112,8 @@ TEST(KindConfusionTest, TableHasARowPerTrueKind) {
   PrintKindConfusion(confusion, out);
   EXPECT_THAT(out.str(), ::testing::ContainsRegex("paint +1.250 +0.000"));
   EXPECT_THAT(out.str(), ::testing::HasSubstr("none"));
+  EXPECT_THAT(out.str(), ::testing::HasSubstr("   contour       rod   unknown\n"));
+  EXPECT_THAT(out.str(), ::testing::HasSubstr("\n  rod "));
 }
 
 }  // namespace

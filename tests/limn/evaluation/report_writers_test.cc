@@ -116,6 +116,41 @@ TEST(ReportWriters, FeaturesAreInTextAtTheMiddleTauAndInJson) {
   EXPECT_EQ(row.at("pairs").at(1).at("recall"), 0.625);
 }
 
+TEST(ReportWriters, RodsAreInTextAtTheMiddleTauAndInJson) {
+  EvaluationReport report = SmallReport();
+  std::ostringstream without, table, json;
+  PrintReport(report, without);
+  EXPECT_THAT(without.str(), Not(HasSubstr("rods")));
+  report.rows[1].features.rods = RodScores{40.5, 37.25, 0.875, 1.0625, 0.125, 0.375, 1.25};
+  PrintReport(report, table);
+  EXPECT_THAT(table.str(),
+              HasSubstr("rods, at tau 0.01: 87.5 % of 40.5 told as rods, drawn 1.06 times, false "
+                        "rods 0.125 per true length, median error 0.375, radius 1.25 of the true "
+                        "one\n"));
+  WriteReportJson(report, json);
+  const nlohmann::json rows = nlohmann::json::parse(json.str()).at("rows");
+  EXPECT_TRUE(rows.at(0).at("rods").is_null());
+  const nlohmann::json& rods = rows.at(1).at("rods");
+  EXPECT_EQ(rods.at("true_length"), 40.5);
+  EXPECT_EQ(rods.at("drawn_length"), 37.25);
+  EXPECT_EQ(rods.at("recall"), 0.875);
+  EXPECT_EQ(rods.at("links_per_length"), 1.0625);
+  EXPECT_EQ(rods.at("false_per_length"), 0.125);
+  EXPECT_EQ(rods.at("median_error"), 0.375);
+  EXPECT_EQ(rods.at("median_radius_ratio"), 1.25);
+  report.rows[1].features.rods = RodScores{40.5, 0, 0, 2, 0, std::nullopt, std::nullopt};
+  std::ostringstream of_none, json_of_none;
+  PrintReport(report, of_none);
+  EXPECT_THAT(of_none.str(), HasSubstr("false rods 0 per true length\n"));
+  WriteReportJson(report, json_of_none);
+  EXPECT_TRUE(nlohmann::json::parse(json_of_none.str())
+                  .at("rows")
+                  .at(1)
+                  .at("rods")
+                  .at("median_error")
+                  .is_null());
+}
+
 TEST(ReportWriters, KindsAreInTextAndJson) {
   EvaluationReport report = SmallReport();
   KindConfusion kinds;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/formats/small_drawing.h"
+#include "limn/formats/tube_mesh.h"
 #include "limn/util/errors.h"
 #include "support/face_drawing.h"
 
@@ -189,6 +190,17 @@ TEST(WriteDrawingGlb, TellsTheKindOfEdge) {
   EXPECT_EQ(NodeNamed(glb, "link_1")["extras"]["tentative"], true);
 }
 
+TEST(WriteDrawingGlb, TellsTheRadiiOfRods) {
+  DrawingGraph graph = SmallDrawing();
+  graph.links[0].kind = LinkKind::kRod;
+  graph.links[0].rod_radius = 0.375;
+  const Glb glb = WrittenGlb(graph);
+  EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["kind"], "rod");
+  EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["rod_radius"], 0.375);
+  EXPECT_EQ(PrimitiveOf(glb, "link_0")["mode"], 3);
+  EXPECT_FALSE(NodeNamed(glb, "link_1")["extras"].contains("rod_radius"));
+}
+
 std::vector<float> FloatsOf(const Glb& glb, const Json& accessor) {
   std::vector<float> floats(3 * accessor["count"].get<size_t>());
   for (size_t i = 0; i < floats.size() / 3; ++i) {
@@ -229,6 +241,40 @@ TEST(WriteDrawingGlb, FacesAreTrianglesWithNormals) {
     EXPECT_EQ(static_cast<int>(index), face.triangles[i / 3][i % 3]);
   }
   EXPECT_EQ(PointsOf(glb, "cloud").size(), 1u);
+}
+
+TEST(WriteDrawingGlb, RodsCanBeTubes) {
+  DrawingGraph graph = testing::HalfCylinderSide();
+  graph.links[0].kind = LinkKind::kRod;
+  graph.links[0].rod_radius = 0.125;
+  GlbOptions options;
+  options.rods_as_tubes = true;
+  options.cloud = {{{1, 2, 3}, {255, 0, 188}}};
+  const Glb glb = WrittenGlb(graph, options);
+  const Json& primitive = PrimitiveOf(glb, "link_0");
+  EXPECT_EQ(primitive["mode"], 4);
+  EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["rod_radius"], 0.125);
+  EXPECT_EQ(glb.json["materials"][primitive["material"].get<int>()]["name"], "rods");
+  EXPECT_EQ(glb.json["materials"][PrimitiveOf(glb, "face_0")["material"].get<int>()]["name"],
+            "faces");
+  EXPECT_EQ(PrimitiveOf(glb, "link_1")["mode"], 3);
+  const TubeMesh tube = MakeTube(graph.links[0].points_in_world, false, 0.125);
+  const std::vector<Eigen::Vector3d> points = PointsOf(glb, "link_0");
+  ASSERT_EQ(points.size(), tube.vertices.size());
+  const std::vector<float> normals =
+      FloatsOf(glb, glb.json["accessors"][primitive["attributes"]["NORMAL"].get<int>()]);
+  for (size_t v = 0; v < points.size(); ++v) {
+    EXPECT_LT((points[v] - tube.vertices[v]).norm(), 1e-6);
+    EXPECT_NEAR(normals[3 * v], tube.normals[v].x(), 1e-6);
+    EXPECT_NEAR(normals[3 * v + 1], tube.normals[v].z(), 1e-6);
+  }
+  const Json& accessor = glb.json["accessors"][primitive["indices"].get<int>()];
+  ASSERT_EQ(accessor["count"].get<size_t>(), 3 * tube.triangles.size());
+  // What comes after it is where it was.
+  const std::vector<Eigen::Vector3d> of_face = PointsOf(glb, "face_0");
+  ASSERT_EQ(of_face.size(), graph.faces[0].vertices.size());
+  EXPECT_LT((of_face.back() - graph.faces[0].vertices.back()).norm(), 1e-6);
+  EXPECT_LT((PointsOf(glb, "cloud")[0] - Eigen::Vector3d(1, 2, 3)).norm(), 1e-6);
 }
 
 TEST(WriteDrawingGlb, RefusesCoordinatesBeyondFloat) {

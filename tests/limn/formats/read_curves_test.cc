@@ -84,6 +84,23 @@ TEST(ReadCurves, AsciiPlyOfPoints) {
   EXPECT_EQ(set.points[1], Eigen::Vector3d(4, 5, 60));
 }
 
+TEST(ReadCurves, PlyMayTellTheRadiiOfRods) {
+  const TemporaryFolder folder;
+  const std::string vertices =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty double x\nproperty double radius\n"
+      "property double y\nproperty double z\n";
+  const std::string edges = "element edge 3\nproperty int vertex1\nproperty int vertex2\n";
+  // The first ends exactly where the others meet.
+  const CurveSet set = ReadCurves(
+      folder.Write("rods.ply", vertices + edges +
+                                   "end_header\n1 0.5 0 0\n0 0.5 0 0\n0 0.25 0 0\n"
+                                   "0 0.25 1 0\n0 nan 0 0\n0 0.25 -1 0\n0 1\n2 3\n4 5\n"));
+  ASSERT_EQ(set.polylines.size(), 3u);
+  EXPECT_EQ(set.polylines[0][0], Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(set.rod_radii, (std::vector<double>{0.5, 0.25, 0}));
+  EXPECT_TRUE(ReadCurves(folder.Write("a.ply", BinaryPly(false))).rod_radii.empty());
+}
+
 TEST(ReadCurves, BadPlyIsRefusedWithPlaceAndReason) {
   const TemporaryFolder folder;
   const std::string vertices =

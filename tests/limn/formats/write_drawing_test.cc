@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -264,6 +265,75 @@ TEST(WriteDrawing, OtherFormatsTellTheKinds) {
                                  "<data key=\"kind_confidence\">0.75</data>"
                                  "<data key=\"tentative\">false</data>"));
   EXPECT_THAT(graphml, HasSubstr("<data key=\"tentative\">true</data>"));
+}
+
+DrawingGraph DrawingWithARod() {
+  DrawingGraph graph = SmallDrawing();
+  graph.links[1].kind = LinkKind::kRod;
+  graph.links[1].rod_radius = 0.375;
+  graph.links[2].tentative = true;
+  graph.links[2].doubt = LinkDoubt::kRodOutline;
+  return graph;
+}
+
+TEST(WriteDrawing, JsonKeepsRods) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("d.json");
+  WriteDrawing(path, DrawingWithARod(), SmallMetadata());
+  const DrawingGraph read = ReadDrawingJson(path).graph;
+  EXPECT_EQ(read.links[1].kind, LinkKind::kRod);
+  EXPECT_EQ(read.links[1].rod_radius, 0.375);
+  EXPECT_EQ(read.links[0].rod_radius, 0);
+  EXPECT_EQ(read.links[2].doubt, LinkDoubt::kRodOutline);
+  std::string text = TemporaryFolder::Read(path);
+  const std::string radius = "\"rod_radius\":0.375,";
+  ASSERT_NE(text.find(radius), std::string::npos);
+  text.erase(text.find(radius), radius.size());
+  EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", text)), IoError);
+}
+
+// PLY has the radius per edge, OBJ as a comment, GraphML as an attribute, DXF as extended data.
+TEST(WriteDrawing, OtherFormatsTellTheRadiiOfRods) {
+  const TemporaryFolder folder;
+  const auto written = [&](const DrawingGraph& graph, const char* name) {
+    WriteDrawing(folder.Path(name), graph, SmallMetadata());
+    return TemporaryFolder::Read(folder.Path(name));
+  };
+  EXPECT_THAT(written(SmallDrawing(), "d.ply"), ::testing::Not(HasSubstr("rod_radius")));
+  EXPECT_THAT(written(SmallDrawing(), "d.dxf"), ::testing::Not(HasSubstr("\n1041\n")));
+  const DrawingGraph graph = DrawingWithARod();
+  EXPECT_THAT(written(graph, "d.dxf"), HasSubstr("\n1071\n1\n1041\n0.375\n0\n"));
+  EXPECT_THAT(written(graph, "d.obj"), HasSubstr("o link_1\ng rod\n# rod_radius 0.375\n"));
+  EXPECT_THAT(written(graph, "d.graphml"), HasSubstr("<data key=\"rod_radius\">0.375</data>"));
+  const std::string ply = written(graph, "d.ply");
+  EXPECT_THAT(ply, HasSubstr("property uchar kind\n"));
+  EXPECT_THAT(ply, HasSubstr("property double rod_radius\nend_header\n"));
+  // The last edge is of a link that is no rod, the first five are two of link 0 and three of 1.
+  const size_t row = 2 * 4 + 3 + 4 + 1 + 8, num_edges = 2 + 3 + 1 + 4;
+  const auto radius_at = [&](size_t edge) {
+    double radius = -1;
+    std::memcpy(&radius, ply.data() + ply.size() - (num_edges - edge) * row + row - 8, 8);
+    return radius;
+  };
+  for (size_t edge = 0; edge < num_edges; ++edge) {
+    EXPECT_EQ(radius_at(edge), edge >= 2 && edge < 5 ? 0.375 : 0);
+  }
+  for (const char* name : {"d.ply", "d.obj"}) {
+    ExpectSamePolylines(ReadCurves(folder.Path(name)), graph);
+  }
+}
+
+// Extended data of links only: not of the junction, which is put after them.
+TEST(WriteDrawing, RadiiInDxfAreThoseOfTheirEntities) {
+  const TemporaryFolder folder;
+  DrawingGraph graph = SmallDrawing();
+  graph.links.back().kind = LinkKind::kRod;
+  graph.links.back().rod_radius = 0.375;
+  WriteDrawing(folder.Path("d.dxf"), graph, SmallMetadata());
+  const std::string dxf = TemporaryFolder::Read(folder.Path("d.dxf"));
+  const size_t at = dxf.find("\n1041\n");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(dxf.find("\n1041\n", at + 1), std::string::npos);
 }
 
 TEST(WriteDrawing, LayersOfDxfCanBeTheKinds) {

@@ -19,6 +19,7 @@ DrawingGraph Fan() {
     link.node1 = k + 1;
     link.tentative = k == kNumLinkKinds;
     link.kind = link.tentative ? LinkKind::kEdge : static_cast<LinkKind>(k);
+    link.rod_radius = link.kind == LinkKind::kRod ? 0.5 : 0;
     graph.nodes.emplace_back();
     graph.nodes.back().position_in_world = link.points_in_world.back();
     graph.links.push_back(link);
@@ -39,7 +40,8 @@ using Kinds = std::vector<LinkKind>;
 
 TEST(LinkSelectionTest, ByDefaultOutlinesAndTentativeLinksAreLeftOut) {
   EXPECT_EQ(KindsOf(Selected(Fan(), {})),
-            (Kinds{LinkKind::kUnknown, LinkKind::kEdge, LinkKind::kPaint, LinkKind::kShadow}));
+            (Kinds{LinkKind::kUnknown, LinkKind::kEdge, LinkKind::kPaint, LinkKind::kShadow,
+                   LinkKind::kRod}));
 }
 
 TEST(LinkSelectionTest, NamedKindsAndTentativeLinksAreUsed) {
@@ -54,6 +56,18 @@ TEST(LinkSelectionTest, NamedKindsAndTentativeLinksAreUsed) {
   selection.kinds = KindsFromNames("default");
   selection.tentative = false;
   EXPECT_EQ(Selected(Fan(), selection).links.size(), Selected(Fan(), {}).links.size());
+}
+
+TEST(LinkSelectionTest, RodsAreCenterLinesOrOutlines) {
+  DrawingGraph fan = Fan();
+  fan.links.back().doubt = LinkDoubt::kRodOutline;
+  EXPECT_EQ(KindsOf(Selected(fan, {})).back(), LinkKind::kRod);
+  EXPECT_EQ(KindsOf(Selected(fan, LinkSelection::AsSeen())),
+            (Kinds{LinkKind::kUnknown, LinkKind::kEdge, LinkKind::kPaint, LinkKind::kShadow,
+                   LinkKind::kEdge}));
+  LinkSelection paint = LinkSelection::AsSeen();
+  paint.kinds = KindsFromNames("paint");
+  EXPECT_EQ(KindsOf(Selected(fan, paint)), Kinds{LinkKind::kPaint});
 }
 
 TEST(LinkSelectionTest, UnknownNamesAreRefused) {

@@ -126,6 +126,24 @@ TEST(DrawOverlay, TentativeLinksAndContoursAreFadedAndTheirNodesUnmarked) {
   }
 }
 
+TEST(DrawOverlay, RodsAreSeenByTheirOutlines) {
+  PictureOptions options;
+  options.scale = 1;
+  options.line_width_px = 3;
+  DrawingGraph rod = HorizontalLink();
+  rod.links[0].kind = LinkKind::kRod;
+  rod.links[0].rod_radius = 0.01;
+  DrawingGraph outline = HorizontalLink();
+  outline.links[0].tentative = true;
+  outline.links[0].doubt = LinkDoubt::kRodOutline;
+  const Picture of_rod = DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, rod, options);
+  EXPECT_FALSE(IsColor(of_rod.At(50, 60), ColorOfCurve(0)));
+  EXPECT_FALSE(IsColor(of_rod.At(50, 60), {55, 55, 55}));
+  const Picture of_outline = DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, outline, options);
+  EXPECT_TRUE(IsColor(of_outline.At(50, 60), ColorOfCurve(0)));
+  EXPECT_TRUE(IsColor(of_outline.At(20, 60), {255, 230, 0}));
+}
+
 TEST(DrawOverlay, SketchAndFragments) {
   CurveSketch sketch;
   sketch.curves.resize(1);

@@ -38,8 +38,9 @@ def points_and_length(entity):
 
 
 def describe(entity):
-    record = {"type": entity.dxftype(), "layer": entity.dxf.layer,
-              "id": entity.get_xdata("LIMN")[0].value, "owner": entity.dxf.owner}
+    extended = dict(entity.get_xdata("LIMN"))
+    record = {"type": entity.dxftype(), "layer": entity.dxf.layer, "id": extended[1071],
+              "rod_radius": extended.get(1041), "owner": entity.dxf.owner}
     if is_curve(entity):
         points, record["length"] = points_and_length(entity)
         record["samples"] = [list(point) for point in points[:-1:max(1, len(points) // 50)] + points[-1:]]

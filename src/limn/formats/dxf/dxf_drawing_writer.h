@@ -13,9 +13,10 @@ namespace limn {
 // coordinate system (arbitrary axis algorithm). Faces are polyface meshes of their triangles, on
 // the layer "faces" unless each has its own; edges between triangles are invisible. Every entity
 // has extended data of the application LIMN: the id of its link, or of its node for points, or of
-// its face, or of its dimension or the line or point of the plan (code 1071). Dimensions are
-// DIMENSION entities, aligned, each with its block, on the layer "dimensions"; their text, which is
-// 1 % of the drawing high but in plans, is the true length. Colors are those of the layers.
+// its face, or of its dimension or the line or point of the plan (code 1071); of rods also the
+// radius, as a distance that is scaled with the entity (code 1041). Dimensions are DIMENSION
+// entities, aligned, each with its block, on the layer "dimensions"; their text, which is 1 % of
+// the drawing high but in plans, is the true length. Colors are those of the layers.
 void WriteDrawingDxf(const DrawingGraph& graph, const DxfOptions& options, LengthUnit unit,
                      std::ostream& out);
 

@@ -24,8 +24,7 @@ class EntityWriter {
       : plan_(plan), model_space_(model_space), next_handle_(next_handle), writer_(*writer) {}
 
   void PutLink(const DrawingLink& link, LinkId id) {
-    layer_ = plan_.layers[plan_.of_link[id]].name;
-    id_ = id;
+    SetMarks(plan_.of_link[id], id, link.rod_radius);
     if (link.primitive) {
       std::visit([this](const auto& shape) { Put(shape); }, link.primitive->shape);
     } else {
@@ -36,22 +35,19 @@ class EntityWriter {
 
   // A part of a face.
   void PutFace(const TrianglePart& part, int face) {
-    layer_ = plan_.layers[plan_.of_face[face]].name;
-    id_ = face;
+    SetMarks(plan_.of_face[face], face);
     PutPolyface(part);
   }
 
   void PutPoint(const Eigen::Vector3d& position, int layer, int id) {
-    layer_ = plan_.layers[layer].name;
-    id_ = id;
+    SetMarks(layer, id);
     Begin("POINT", "AcDbPoint", model_space_);
     writer_.PutPoint(10, position);
-    PutId();
+    PutExtendedData();
   }
 
   void PutLine(const Polyline3d& points, bool closed, int layer, int id) {
-    layer_ = plan_.layers[layer].name;
-    id_ = id;
+    SetMarks(layer, id);
     PutPolyline(points, closed);
   }
 
@@ -70,6 +66,13 @@ class EntityWriter {
   }
 
  private:
+  // Of the entity that is put next.
+  void SetMarks(int layer, int id, double rod_radius = 0) {
+    layer_ = plan_.layers[layer].name;
+    id_ = id;
+    rod_radius_ = rod_radius;
+  }
+
   // Returns the handle.
   int Begin(const char* type, const char* subclass, int owner) {
     const int handle = (*next_handle_)++;
@@ -82,16 +85,17 @@ class EntityWriter {
     return handle;
   }
 
-  void PutId() {
+  void PutExtendedData() {
     writer_.Put(1001, kDxfApplication);
     writer_.Put(1071, id_);
+    if (rod_radius_ > 0) writer_.Put(1041, rod_radius_);  // scaled with the entity
   }
 
   void Put(const LineSegment& line) {
     Begin("LINE", "AcDbLine", model_space_);
     writer_.PutPoint(10, line.start);
     writer_.PutPoint(11, line.end);
-    PutId();
+    PutExtendedData();
   }
 
   void Put(const CircularArc& arc) {
@@ -109,7 +113,7 @@ class EntityWriter {
       writer_.Put(50, DegreesWithinATurn(start_rad));
       writer_.Put(51, DegreesWithinATurn(start_rad + arc.sweep_rad));
     }
-    PutId();
+    PutExtendedData();
   }
 
   void Put(const CubicBSpline& spline) {
@@ -124,7 +128,7 @@ class EntityWriter {
     writer_.Put(43, kTolerance);
     for (const double knot : spline.knots) writer_.Put(40, knot);
     for (const Eigen::Vector3d& point : spline.control_points) writer_.PutPoint(10, point);
-    PutId();
+    PutExtendedData();
   }
 
   // A closed one returns to its first vertex by itself.
@@ -133,7 +137,7 @@ class EntityWriter {
     writer_.Put(66, 1);
     writer_.PutPoint(10, Eigen::Vector3d::Zero());
     writer_.Put(70, closed ? 8 + 1 : 8);
-    PutId();
+    PutExtendedData();
     for (const Eigen::Vector3d& point : points) {
       Begin("VERTEX", "AcDbVertex", polyline);
       writer_.Put(100, "AcDb3dPolylineVertex");
@@ -150,7 +154,7 @@ class EntityWriter {
     writer_.Put(70, 64);
     writer_.Put(71, static_cast<int>(part.vertices.size()));
     writer_.Put(72, static_cast<int>(part.triangles.size()));
-    PutId();
+    PutExtendedData();
     for (const Eigen::Vector3d& vertex : part.vertices) {
       Begin("VERTEX", "AcDbVertex", polyline);
       writer_.Put(100, "AcDbPolyFaceMeshVertex");
@@ -176,6 +180,7 @@ class EntityWriter {
   DxfWriter& writer_;
   std::string layer_;
   int id_ = 0;
+  double rod_radius_ = 0;
 };
 
 }  // namespace

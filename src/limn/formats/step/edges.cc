@@ -13,6 +13,7 @@
 
 #include "limn/formats/step/curves.h"
 #include "limn/util/errors.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {
@@ -39,8 +40,10 @@ handle<StepShape_EdgeCurve> MakeEdge(const DrawingLink& link, const std::string&
 }  // namespace
 
 std::string StepNameOf(const DrawingLink& link, LinkId id) {
-  const std::string name = "link_" + std::to_string(id);
-  return link.kind == LinkKind::kUnknown ? name : name + '_' + LinkKindName(link.kind);
+  std::string name = "link_" + std::to_string(id);
+  if (link.kind != LinkKind::kUnknown) name += std::string("_") + LinkKindName(link.kind);
+  if (link.kind == LinkKind::kRod) name += '_' + NumberText(link.rod_radius);
+  return name;
 }
 
 StepEdges MakeStepEdges(const DrawingGraph& graph, const std::vector<DrawingPath>& paths) {

@@ -18,7 +18,8 @@ struct StepEdges {
   double gap = 0;
 };
 
-// "link_<id>", or "link_<id>_<kind>" where its kind is known.
+// "link_<id>", or "link_<id>_<kind>" where its kind is known; a rod's is followed by its radius in
+// millimeters: "link_<id>_rod_<radius>".
 std::string StepNameOf(const DrawingLink& link, LinkId id);
 
 // Every link is directed as in its path; the edge is marked reversed where its curve runs the other

@@ -38,6 +38,7 @@
 #include <Transfer_FinderProcess.hxx>
 
 #include "limn/formats/step/edges.h"
+#include "limn/formats/step/rods.h"
 #include "limn/formats/step/shells.h"
 #include "limn/model/drawing_paths.h"
 #include "limn/model/drawing_transform.h"
@@ -126,9 +127,9 @@ class ProductModel {
 };
 
 // Solids or shells as a representation of the given type.
-template <typename Representation, typename Make>
+template <typename Representation, typename Shape, typename Make>
 handle<StepShape_ShapeRepresentation> MakeSurfaces(const char* name,
-                                                   const std::vector<TopoDS_Shape>& shapes,
+                                                   const std::vector<Shape>& shapes,
                                                    double uncertainty_mm, const Make& make) {
   handle<StepRepr_HArray1OfRepresentationItem> items =
       new StepRepr_HArray1OfRepresentationItem(1, static_cast<int>(shapes.size()));
@@ -146,6 +147,19 @@ void Name(const handle<Transfer_FinderProcess>& made, const TopoDS_Shape& shape,
           const std::string& name) {
   const handle<StepRepr_RepresentationItem> item = STEPConstruct::FindEntity(made, shape);
   if (!item.IsNull()) item->SetName(Text(name));
+}
+
+void AddRods(const DrawingGraph& graph, const StepRods& rods, ProductModel* products) {
+  if (rods.tubes.empty()) return;
+  const handle<Transfer_FinderProcess> made = new Transfer_FinderProcess;
+  const auto make = [&](const LabeledShape& tube) {
+    const TopoDSToStep_MakeManifoldSolidBrep solid(TopoDS::Solid(tube.shape), made);
+    solid.Value()->SetName(Text(StepNameOf(graph.links[tube.id], tube.id)));
+    return solid.Value();
+  };
+  products->Add("rods",
+                MakeSurfaces<StepShape_AdvancedBrepShapeRepresentation>(
+                    "rods", rods.tubes, std::max(kLeastUncertaintyMm, 2 * rods.tolerance), make));
 }
 
 void AddShells(const DrawingGraph& graph, const StepShells& shells, ProductModel* products) {
@@ -173,11 +187,12 @@ void AddShells(const DrawingGraph& graph, const StepShells& shells, ProductModel
   }
 }
 
-// Without the links of shells; a path is cut where they are.
-std::vector<DrawingPath> PathsWithout(const std::vector<LabeledShape>& edges,
+// Without the links of shells and tubes; a path is cut where they are.
+std::vector<DrawingPath> PathsWithout(const StepShells& shells, const StepRods& rods,
                                       const DrawingGraph& graph) {
   std::vector<bool> is_in(graph.links.size(), false);
-  for (const LabeledShape& edge : edges) is_in[edge.id] = true;
+  for (const LabeledShape& edge : shells.edges) is_in[edge.id] = true;
+  for (const LabeledShape& tube : rods.tubes) is_in[tube.id] = true;
   std::vector<DrawingPath> paths;
   for (const DrawingPath& path : PathsOf(graph)) {
     bool goes_on = false;
@@ -216,26 +231,29 @@ StepShells ShellsOf(const DrawingGraph& graph) {
 
 }  // namespace
 
-StepFaceNotes WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& out) {
+StepNotes WriteDrawingStep(const DrawingGraph& graph, const StepOptions& options, LengthUnit unit,
+                           std::ostream& out) {
   if (graph.links.empty()) throw InputError("a drawing without links cannot be a STEP file");
   const DrawingGraph in_mm =
       Transformed(graph, Millimeters(unit), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
   STEPControl_Controller::Init();
   ProductModel products;
   const StepShells shells = ShellsOf(in_mm);
-  const std::vector<DrawingPath> paths = PathsWithout(shells.edges, in_mm);
+  const StepRods rods = options.rods_as_tubes ? MakeStepRods(in_mm) : StepRods();
+  const std::vector<DrawingPath> paths = PathsWithout(shells, rods, in_mm);
   if (!paths.empty()) {
     const StepEdges edges = MakeStepEdges(in_mm, paths);
     products.Add("drawing", MakeRepresentation(MakeWireframe(paths, edges),
                                                std::max(kLeastUncertaintyMm, 2 * edges.gap)));
   }
   AddShells(in_mm, shells, &products);
+  AddRods(in_mm, rods, &products);
   AddHeader(products.model());
   StepData_StepWriter writer(products.model());
   writer.FloatWriter().SetFormat("%.16E");  // all digits
   writer.SendModel(handle<StepData_Protocol>::DownCast(STEPEdit::Protocol()));
   writer.Print(out);
-  return {shells.apart, shells.left_out};
+  return {shells.apart, shells.left_out, rods.left_out};
 }
 
 }  // namespace limn

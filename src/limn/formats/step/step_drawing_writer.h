@@ -8,20 +8,29 @@
 
 namespace limn {
 
-// What became of faces in a STEP file, as in StepShells, ascending.
-struct StepFaceNotes {
+struct StepOptions {
+  // Rods as solids of their radius, instead of edges.
+  bool rods_as_tubes = false;
+};
+
+// What became of faces in a STEP file, as in StepShells, and which rods are edges although tubes
+// were asked for, ascending.
+struct StepNotes {
   std::vector<int> apart;
   std::vector<int> left_out;
+  std::vector<LinkId> rods_left_out;
 };
 
 // Writes a drawing as STEP AP214, an edge-based wireframe in millimeters (LengthUnit::kNone is
 // taken for these): a connected edge set "path_<i>" per path (PathsOf), which readers turn into a
-// wire, with an edge "link_<id>", or "link_<id>_<kind>" where its kind is known, per link: a line,
-// a circle, a cubic B-spline, or a B-spline of degree 1 through the points of a link without a
-// primitive. Edges that meet at a node share its vertex. Faces are products of their own, "solids"
-// and "shells" (step_shells.h), with faces "face_<id>" and edges named like those of links; links
-// that bound them are not in the wireframe, but those of faces that are apart or left out are.
-// Throws InputError for a drawing without links, and if OpenCASCADE rejects a curve.
-StepFaceNotes WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& out);
+// wire, with an edge per link, named by StepNameOf (edges.h): a line, a circle, a cubic B-spline,
+// or a B-spline of degree 1 through the points of a link without a primitive. Edges that meet at a
+// node share its vertex. Faces are products of their own, "solids" and "shells" (step_shells.h),
+// with faces "face_<id>" and edges named like those of links; links that bound them are not in the
+// wireframe, but those of faces that are apart or left out are. With rods_as_tubes the rods
+// (rods.h) are a product "rods", with solids named like edges of links. Throws InputError for a
+// drawing without links, and if OpenCASCADE rejects a curve.
+StepNotes WriteDrawingStep(const DrawingGraph& graph, const StepOptions& options, LengthUnit unit,
+                           std::ostream& out);
 
 }  // namespace limn

@@ -13,6 +13,7 @@
 #include "limn/formats/svg/link.h"
 #include "limn/model/drawing_paths.h"
 #include "limn/util/errors.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {
@@ -134,6 +135,7 @@ class SvgWriter {
       PutRule(".kind-paint", "#d55e00");
       PutRule(".kind-shadow", "#56b4e9");
       PutRule(".kind-contour", "#cc79a7");
+      PutRule(".kind-rod", "#009e73");
     }
     out_ << "</style>\n";
   }
@@ -166,6 +168,9 @@ class SvgWriter {
     if (link.kind != LinkKind::kUnknown) out_ << " kind-" << LinkKindName(link.kind);
     if (link.tentative) out_ << " tentative";
     out_ << '"';
+    if (link.kind == LinkKind::kRod) {
+      out_ << " data-radius=\"" << NumberText(link.rod_radius) << '"';
+    }
     if (options_.colors == SvgColors::kLink) {
       out_ << " stroke=\"" << HexColor(ColorOfCurve(curves_[id])) << '"';
     }

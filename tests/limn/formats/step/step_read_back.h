@@ -27,7 +27,7 @@ class StepFaces : public ::testing::Test {
   TopoDS_Shape ReadBack(const DrawingGraph& graph) {
     EXPECT_THAT(Validate(graph), ::testing::IsEmpty());
     const std::string path = folder_.Path("d.step");
-    left_out_ = WriteDrawing(path, graph, {{"a", "b"}, "{}"});
+    left_out_ = WriteDrawing(path, graph, {{"a", "b"}, "{}"}, options_);
     text_ = TemporaryFolder::Read(path);
     STEPControl_Reader reader;
     EXPECT_EQ(reader.ReadFile(path.c_str()), IFSelect_RetDone);
@@ -38,6 +38,7 @@ class StepFaces : public ::testing::Test {
     return shape;
   }
 
+  DrawingFormatOptions options_;
   TemporaryFolder folder_;
   std::string text_;
   std::vector<std::string> left_out_;

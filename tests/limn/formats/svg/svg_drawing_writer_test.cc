@@ -235,6 +235,18 @@ TEST(WriteDrawingSvg, ColorsAndClasses) {
   EXPECT_THAT(kinds, HasSubstr(".kind-shadow{stroke:"));
 }
 
+TEST(WriteDrawingSvg, RodsHaveTheirRadius) {
+  DrawingGraph graph = PictureScene();
+  graph.links[3].kind = LinkKind::kRod;
+  graph.links[3].rod_radius = 0.375;
+  SvgOptions options;
+  options.colors = SvgColors::kKind;
+  const std::string svg = WrittenSvg(graph, SceneView(), {}, options);
+  EXPECT_THAT(svg, HasSubstr("id=\"link_3\" class=\"circle kind-rod\" data-radius=\"0.375\""));
+  EXPECT_THAT(svg, HasSubstr(".kind-rod{stroke:"));
+  EXPECT_EQ(Count(svg, "data-radius"), 1);
+}
+
 TEST(WriteDrawingSvg, RefusesOptionsOutOfRange) {
   SvgOptions options;
   options.line_width_px = 0;

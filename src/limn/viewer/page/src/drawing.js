@@ -7,11 +7,12 @@ import { storedDimensions } from './dimensions.js';
 export const PRIMITIVES = ['none', 'line', 'arc', 'spline', 'circle'];
 export const DENSE_CLASSES = ['unknown', 'surface', 'boundary', 'free'];
 // Of edges, as LinkKind; tentative links are a category of their own in legends.
-export const LINK_KINDS = ['unknown', 'edge', 'paint', 'shadow', 'contour', 'tentative'];
+export const LINK_KINDS = ['unknown', 'edge', 'paint', 'shadow', 'contour', 'rod', 'tentative'];
 // Those that a user can set.
 export const NUM_KINDS = 5;
 const CONTOUR = 4;
-const TENTATIVE = 5;
+export const ROD = 5;
+const TENTATIVE = 6;
 export const NODE_KINDS = ['end', 'junction', 'loop anchor'];
 export const JUNCTION = 1;
 
@@ -153,7 +154,7 @@ export class Drawing {
 
   // All links but outlines of smooth bodies and tentative ones, as in exports.
   shownAtFirst() {
-    return this.kindCategory.map((kind) => (kind < CONTOUR ? 1 : 0));
+    return this.kindCategory.map((kind) => (kind === CONTOUR || kind === TENTATIVE ? 0 : 1));
   }
 
   // First vertex of a link, and the first that is no longer its own.
@@ -250,7 +251,13 @@ export class Drawing {
       visible: [1],
       gone: [LIVE],
     };
-    for (const name of ['linkResidual', 'linkKind', 'kindConfidence', 'linkTentative']) {
+    for (const name of [
+      'linkResidual',
+      'linkKind',
+      'kindConfidence',
+      'linkTentative',
+      'rodRadius',
+    ]) {
       more[name] = [this[name][like]];
     }
     for (const name of ['Type', 'Radius', 'Sweep', 'Controls', 'Rms', 'Max']) {

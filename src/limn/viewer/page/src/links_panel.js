@@ -1,7 +1,7 @@
 // The tab "Links": search, the list of links and all about the picked one.
 
 import { facts, make } from './dom.js';
-import { DENSE_CLASSES, LINK_KINDS, NODE_KINDS, PRIMITIVES } from './drawing.js';
+import { DENSE_CLASSES, LINK_KINDS, NODE_KINDS, PRIMITIVES, ROD } from './drawing.js';
 import { count, degrees, number, percent } from './format.js';
 
 const PAGE = 100;
@@ -39,6 +39,10 @@ function kindText(drawing, link) {
   return parts.join(', ');
 }
 
+function rodText(drawing, link) {
+  return drawing.linkKind[link] === ROD ? number(drawing.rodRadius[link]) : null;
+}
+
 function nodeText(drawing, node) {
   return `${node}, ${NODE_KINDS[drawing.nodeKind[node]]}`;
 }
@@ -52,6 +56,7 @@ function linkFacts(drawing, link) {
     ['Residual', `${number(drawing.linkResidual[link], 3)} px`],
     ['Sigma (median)', number(drawing.medianSigma(link), 3)],
     ['Kind of edge', drawing.hasKinds ? kindText(drawing, link) : null],
+    [`Radius of the rod, ${drawing.unit}`, rodText(drawing, link)],
     ['Class', classText(drawing, link)],
     ['No dense point near', added],
     ['Component', String(drawing.component[link])],
