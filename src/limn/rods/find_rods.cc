@@ -30,9 +30,8 @@ namespace {
 constexpr SupportGate kSeedGates[] = {{2.0, 1.0, 30 * kDeg}, {2.0, 1.0, 30 * kDeg},
                                       {1.5, 1.0, 25 * kDeg}, {1.5, 1.0, 25 * kDeg},
                                       {1.0, 1.0, 20 * kDeg}, {1.0, 1.0, 20 * kDeg}};
-constexpr SupportGate kFinalGates[] = {{1.5, 1.0, 25 * kDeg},
-                                       {1.0, 1.0, 20 * kDeg},
-                                       {1.0, 1.0, 20 * kDeg}};
+constexpr SupportGate kFinalGates[] = {
+    {1.5, 1.0, 25 * kDeg}, {1.0, 1.0, 20 * kDeg}, {1.0, 1.0, 20 * kDeg}};
 constexpr SupportGate kShownRodGate = {1.0, 1.0, 20 * kDeg};
 // Wide enough for the edges of a strip that is seen from the side.
 constexpr SupportGate kCompareGate = {2.0, 1.0, 20 * kDeg};
@@ -42,8 +41,8 @@ constexpr double kMinRodPx = 20;
 constexpr double kMinThicknesses = 5;
 // How well a rod must explain the edgels, and how much better than two fixed lines.
 constexpr int kMinRodViews = 6;
-constexpr double kMinLogRatio = 1;
-constexpr double kMaxRodRmsPx = 0.3;
+constexpr double kMinLogRatio = 0.5;
+constexpr double kMaxRodRmsPx = 0.36;
 // A seed is part of a rod if this share of its axis is within its outlines and this many px.
 constexpr double kSameShare = 0.5;
 constexpr double kSamePx = 1.5;
@@ -54,8 +53,7 @@ bool IsThin(const Rod& rod) {
 }
 
 bool IsLong(const Rod& rod) {
-  return Length(rod.axis) >=
-         std::max(kMinRodPx * rod.footprint, 2 * kMinThicknesses * rod.radius);
+  return Length(rod.axis) >= std::max(kMinRodPx * rod.footprint, 2 * kMinThicknesses * rod.radius);
 }
 
 class RodFinder {
@@ -117,9 +115,8 @@ class RodFinder {
 
   static bool IsPartOfOne(const Rod& rod, const std::vector<Rod>& rods) {
     return std::ranges::any_of(rods, [&](const Rod& other) {
-      const auto num_beside = std::ranges::count_if(rod.axis, [&](const Eigen::Vector3d& point) {
-        return IsBeside(other, point, kSamePx);
-      });
+      const auto num_beside = std::ranges::count_if(
+          rod.axis, [&](const Eigen::Vector3d& point) { return IsBeside(other, point, kSamePx); });
       return static_cast<double>(num_beside) >= kSameShare * static_cast<double>(rod.axis.size());
     });
   }

@@ -39,8 +39,7 @@ class RodEquations {
       for (const int side : {0, 1}) {
         const Eigen::Vector3d to_outline = side == 0 ? sight.to_outline : -sight.to_outline;
         const EdgelRef& ref = sight.edgels[side];
-        const auto residual =
-            input.Residual(ref, place.position + sight.seen_radius * to_outline);
+        const auto residual = input.Residual(ref, place.position + sight.seen_radius * to_outline);
         if (!residual) continue;
         const double size = std::abs(residual->residual_px);
         const double robust = size > kOutlineRobustPx ? kOutlineRobustPx / size : 1;
@@ -71,8 +70,9 @@ class RodEquations {
     for (int i = first_; i <= last; ++i) {
       const Eigen::Vector3d tangent =
           (rod_.axis[std::min(i + 1, last)] - rod_.axis[std::max(i - 1, 0)]).normalized();
-      AddBlock(i, i, across * Eigen::Matrix3d::Identity() +
-                         (along - across) * tangent * tangent.transpose());
+      AddBlock(
+          i, i,
+          across * Eigen::Matrix3d::Identity() + (along - across) * tangent * tangent.transpose());
     }
     const int radius = 3 * num_points_;
     triplets_.emplace_back(radius, radius, per_px / (kStepRadiusPx * kStepRadiusPx));
@@ -111,7 +111,8 @@ class RodEquations {
       if (unknown(a) < 0) continue;
       right_[unknown(a)] -= weight * residual_px * row[a];
       for (int b = 0; b < 7; ++b) {
-        if (unknown(b) >= 0) triplets_.emplace_back(unknown(a), unknown(b), weight * row[a] * row[b]);
+        if (unknown(b) >= 0)
+          triplets_.emplace_back(unknown(a), unknown(b), weight * row[a] * row[b]);
       }
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -55,14 +56,12 @@ bool IsEndShown(const TopologyInput& input, const Rod& rod, std::span<const View
 bool Extend(const TopologyInput& input, const ViewFinder& finder, std::span<const Rod> others,
             Rod* rod) {
   Rod longer = *rod;
-  const Eigen::Vector3d step =
-      (rod->axis.back() - rod->axis[rod->axis.size() - 2]).normalized() * kAxisStepPx *
-      rod->footprint;
+  const Eigen::Vector3d step = (rod->axis.back() - rod->axis[rod->axis.size() - 2]).normalized() *
+                               kAxisStepPx * rod->footprint;
   for (int gap = 0; gap <= kMaxGapSegments; ++gap) {
     longer.axis.push_back(longer.axis.back() + step);
     Rod fitted = longer;
-    const std::vector<ViewId> views =
-        finder.NearAnyOf({fitted.axis.back(), rod->axis.back()});
+    const std::vector<ViewId> views = finder.NearAnyOf({fitted.axis.back(), rod->axis.back()});
     FitRod(input, views, kGrowthGates, rod->axis.size() - 1, &fitted);
     if (!IsEndShown(input, fitted, views)) continue;
     if (std::ranges::any_of(others, [&](const Rod& other) {
@@ -76,14 +75,27 @@ bool Extend(const TopologyInput& input, const ViewFinder& finder, std::span<cons
   return false;
 }
 
+// Ends a rod behind the last place that images show of its last segment.
+void CutEnd(const TopologyInput& input, const ViewFinder& finder, Rod* rod) {
+  Eigen::Vector3d& end = rod->axis.back();
+  const Eigen::Vector3d before = rod->axis[rod->axis.size() - 2];
+  const std::vector<ViewId> views = finder.NearAnyOf({end});
+  const auto places = LookAlongRod(input, *rod, rod->axis.size() - 2, views, kGrownGate);
+  const auto last = std::ranges::find_if(std::views::reverse(places), &RodPlace::IsShown);
+  if (last == places.rend()) return;
+  end = before + (last->t + 0.5 / static_cast<double>(places.size())) * (end - before);
+}
+
 }  // namespace
 
 void GrowRod(const TopologyInput& input, const ViewFinder& finder, std::span<const Rod> others,
              Rod* rod) {
   for ([[maybe_unused]] const int end : {0, 1}) {
     std::ranges::reverse(rod->axis);
-    while (rod->axis.size() < kMaxAxisPoints && !ComesBack(*rod) && Extend(input, finder, others, rod)) {
+    while (rod->axis.size() < kMaxAxisPoints && !ComesBack(*rod) &&
+           Extend(input, finder, others, rod)) {
     }
+    CutEnd(input, finder, rod);
   }
 }
 

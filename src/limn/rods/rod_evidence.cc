@@ -149,7 +149,8 @@ RodEvidence CompareWithFixedLines(const TopologyInput& input, const Rod& rod,
       const int line = LineOf(lines, observation);
       const double of_lines_px = observation.At(lines[line], lines[1 - line]);
       // Others are of something else.
-      if (std::min(std::abs(observation.of_rod_px), std::abs(of_lines_px)) > kMaxDistancePx) continue;
+      if (std::min(std::abs(observation.of_rod_px), std::abs(of_lines_px)) > kMaxDistancePx)
+        continue;
       ViewCosts& costs = by_view[observation.view];
       costs.rod += Cost(observation.of_rod_px);
       costs.lines += Cost(of_lines_px);

@@ -73,8 +73,8 @@ std::vector<RodPlace> LookAlongRod(const TopologyInput& input, const Rod& rod, s
   std::vector<RodPlace> places;
   for (size_t s = first; s + 1 < rod.axis.size(); ++s) {
     const Eigen::Vector3d way = rod.axis[s + 1] - rod.axis[s];
-    const int count = std::max(
-        1, static_cast<int>(std::lround(way.norm() / (kPlaceStepPx * rod.footprint))));
+    const int count =
+        std::max(1, static_cast<int>(std::lround(way.norm() / (kPlaceStepPx * rod.footprint))));
     for (int k = 0; k < count; ++k) {
       RodPlace place;
       place.segment = static_cast<int>(s);

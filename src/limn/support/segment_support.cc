@@ -12,7 +12,7 @@ namespace {
 constexpr double kMinCoveredShare = 0.7;
 constexpr double kRoundedPx = 1.5;
 // Shorter projections are not tested.
-const double kMinProjectedPx = getenv("MINPROJ") ? atof(getenv("MINPROJ")) : 3;
+constexpr double kMinProjectedPx = 3;
 
 bool EdgelsRunAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                     const EdgelIndex& edgels, const SupportGate& gate) {

@@ -15,14 +15,14 @@ namespace {
 
 // The direction of an end, and the views that show it, are those of this much of it, px.
 constexpr double kArcTipPx = 4;
-// Shorter ways are not compared, px: the corner is where the ends are.
-constexpr double kMinWayPx = 2;
+// Edge detectors round corners by this much, px: a corner nearer to the arc is one.
+constexpr double kRoundingPx = 1;
 constexpr double kMaxArcTurnRad = 150 * kDeg;
 constexpr SupportGate kWayGate = {0.75, 1.0, 20 * kDeg};
 // Points where ways are compared, px apart.
 constexpr double kWayStepPx = 0.5;
 // By how much more of the arc than of the corner edgels must be shown.
-constexpr double kMinArcGain = 0.06;
+constexpr double kMinArcGain = 0.1;
 constexpr double kArcPointsPx = 1;
 
 struct Tip {
@@ -51,9 +51,8 @@ Tip LocalTip(const DrawingLink& link, int end, std::vector<ViewId>* views) {
 Polyline3d SmoothWay(const Tip& a, const Tip& b, double step) {
   const double chord = (b.point - a.point).norm();
   const double turn = AngleBetween(a.outward, -b.outward);
-  const double handle = turn > 1e-3
-                            ? 2.0 / 3 * chord * std::tan(turn / 4) / std::sin(turn / 2)
-                            : chord / 3;
+  const double handle =
+      turn > 1e-3 ? 2.0 / 3 * chord * std::tan(turn / 4) / std::sin(turn / 2) : chord / 3;
   const Eigen::Vector3d from = a.point + handle * a.outward;
   const Eigen::Vector3d to = b.point + handle * b.outward;
   const int count = std::max(2, static_cast<int>(std::ceil((chord + 2 * handle) / step)));
@@ -79,8 +78,8 @@ double ShownAlong(const TopologyInput& input, const Polyline3d& way, double step
       const auto sight = See(input.views[v], middle, places[k + 1] - places[k]);
       if (!sight) continue;
       ++count;
-      shown += input.edgels[v]->edgels.Best(sight->position_px, sight->direction, kWayGate)
-                   .has_value();
+      shown +=
+          input.edgels[v]->edgels.Best(sight->position_px, sight->direction, kWayGate).has_value();
     }
   }
   return count > 0 ? static_cast<double>(shown) / count : 0;
@@ -97,14 +96,13 @@ std::optional<Polyline3d> ArcInsteadOfCorner(const TopologyInput& input, const G
   SortUnique(&views);
   if (tip_a.outward.isZero() || tip_b.outward.isZero()) return std::nullopt;
   const double px = tip_a.footprint;
-  if ((tip_b.point - tip_a.point).norm() < kMinWayPx * px) return std::nullopt;
   if (AngleBetween(tip_a.outward, -tip_b.outward) > kMaxArcTurnRad) return std::nullopt;
   const Polyline3d arc = SmoothWay(tip_a, tip_b, kArcPointsPx * px);
+  const double past_px = std::sqrt(ClosestPoint(arc, corner).squared_distance) / px;
+  if (past_px < kRoundingPx) return std::nullopt;
   const double of_arc = ShownAlong(input, arc, kWayStepPx * px, views);
   const double of_corner =
       ShownAlong(input, {tip_a.point, corner, tip_b.point}, kWayStepPx * px, views);
-  if (getenv("ARCS")) fprintf(stderr, "arc at %.3f %.3f %.3f: chord %.1f arc %.2f corner %.2f views %zu\n", corner.x(), corner.y(), corner.z(), (tip_b.point - tip_a.point).norm()/px, of_arc, of_corner, views.size());
-  if (getenv("NOARC")) return std::nullopt;
   if (of_arc < of_corner + kMinArcGain) return std::nullopt;
   return arc;
 }

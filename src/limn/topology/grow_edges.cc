@@ -31,7 +31,7 @@ constexpr double kOldDirectionWeight = 4;
 constexpr double kSnapPx = 4;
 constexpr double kMaxEdgeMissPx = 2;
 // Joints nearer to each other than this are taken for one, px.
-const double kMinSegmentPx = getenv("MINSEG") ? atof(getenv("MINSEG")) : 3;
+constexpr double kMinSegmentPx = 3;
 // Largest chance that the images show a grown edge by accident, and the same for all segments from
 // one joint together. A segment between two joints is more plausible to begin with. A smaller
 // chance for grown edges finds fewer junctions.

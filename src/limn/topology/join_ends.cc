@@ -151,9 +151,9 @@ class CornerJoiner {
     const Eigen::Vector3d corner = *CornerOf(group);
     std::vector<LinkEnd> ends;
     for (const int i : group) ends.push_back(task_.editor->CurrentEnd(free_.ends[i]));
-    const auto arc = group.size() == 2 ? ArcInsteadOfCorner(task_.input, *task_.editor, ends[0],
-                                                            ends[1], corner)
-                                       : std::nullopt;
+    const auto arc = group.size() == 2
+                         ? ArcInsteadOfCorner(task_.input, *task_.editor, ends[0], ends[1], corner)
+                         : std::nullopt;
     if (arc) {
       JoinByArc(*arc, ends[0], ends[1]);
     } else {

@@ -30,6 +30,25 @@ class JoinCornersTest : public DrawingSceneTest {
                    {.image_curve = edge});
   }
 
+  // Draws two lines of an edge that passes from one into the other by an arc.
+  void ExpectFillet(double radius) {
+    const Polyline3d level = Path({{-60, 0, 0}, {-radius, 0, 0}});
+    const Polyline3d arc = Arc({-radius, -radius, 0}, radius, 90, 0);
+    const Polyline3d upright = Path({{0, -radius, 0}, {0, -60, 0}});
+    Polyline3d edge = level;
+    edge.insert(edge.end(), arc.begin() + 1, arc.end());
+    edge.insert(edge.end(), upright.begin() + 1, upright.end());
+    const int image_curve = scene_.AddImageCurve(edge);
+    scene_.AddLink(level, {.image_curve = image_curve});
+    scene_.AddLink(upright, {.image_curve = image_curve});
+    const MeetingCounts counts = Join();
+    EXPECT_EQ(counts.corners, 0);
+    EXPECT_EQ(counts.joined, 1);
+    EXPECT_EQ(scene_.Look().NumLinks(), 1);
+    EXPECT_TRUE(scene_.Look().Covers(edge, 0.3));
+    EXPECT_TRUE(scene_.Look().LinksAdvance());
+  }
+
   void ExpectCornerAt(const Vector3d& point, int degree) {
     const Picture picture = scene_.Look();
     EXPECT_EQ(picture.NumMeetings(), 1);
@@ -52,10 +71,23 @@ TEST_P(JoinCornersTest, TwoEndsMeetWhereTheirLinesDo) {
   EXPECT_TRUE(scene_.Look().HasFreeEndAt({0, -60, 0}));
 }
 
+// Fillets, of which only the ends are drawn.
+TEST_P(JoinCornersTest, AnArcThatImagesShowIsNoCorner) { ExpectFillet(8); }
+TEST_P(JoinCornersTest, NorIsOneOfThreePx) { ExpectFillet(3); }
+
+TEST_P(JoinCornersTest, ACornerThatImagesShowIsNoArc) {
+  const int edge = scene_.AddImageCurve(Path({{-60, 0, 0}, {0, 0, 0}, {0, -60, 0}}));
+  scene_.AddLink(Path({{-60, 0, 0}, {-5, 0, 0}}), {.image_curve = edge});
+  scene_.AddLink(Path({{0, -60, 0}, {0, -5, 0}}), {.image_curve = edge});
+  EXPECT_EQ(Join().corners, 1);
+  ExpectCornerAt({0, 0, 0}, 2);
+}
+
 TEST_P(JoinCornersTest, RoundedTipsDoNotMoveTheCorner) {
   // Both bend towards each other over their last 1.5 px.
-  scene_.AddLink(Path({{-60, 0, 0}, {-4, 0, 0}, {-3, -0.5, 0}}));
-  scene_.AddLink(Path({{0, -60, 0}, {0, -4, 0}, {-0.5, -3, 0}}));
+  const int edge = scene_.AddImageCurve(Path({{-60, 0, 0}, {0, 0, 0}, {0, -60, 0}}));
+  scene_.AddLink(Path({{-60, 0, 0}, {-4, 0, 0}, {-3, -0.5, 0}}), {.image_curve = edge});
+  scene_.AddLink(Path({{0, -60, 0}, {0, -4, 0}, {-0.5, -3, 0}}), {.image_curve = edge});
   EXPECT_EQ(Join().corners, 1);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 2);
 }
