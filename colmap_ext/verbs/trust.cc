@@ -85,7 +85,8 @@ void AddCertainty(const ViewSet& set, const std::vector<View>& views, const Draw
   std::vector<WeightedValue> sigmas_px;
   for (const DrawingLink& link : graph.links) {
     const double of_link = Length(link.points_in_world);
-    if (link.tentative) tentative += of_link;
+    // A rod stands for its outlines, which are sure.
+    if (link.tentative && link.doubt != LinkDoubt::kRodOutline) tentative += of_link;
     if (!selection.Has(link)) continue;
     length += of_link;
     if (set.CountImages(link.supporting_views) >= kManyImages) well_seen += of_link;

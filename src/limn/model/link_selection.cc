@@ -19,10 +19,10 @@ LinkSelection LinkSelection::AsSeen() {
 }
 
 bool LinkSelection::Has(const DrawingLink& link) const {
-  if (!kinds[static_cast<int>(link.kind)]) return false;
+  const auto has = [&](LinkKind kind) { return kinds[static_cast<int>(kind)]; };
   if (rods_as_outlines && link.kind == LinkKind::kRod) return false;
-  if (rods_as_outlines && link.doubt == LinkDoubt::kRodOutline) return true;
-  return tentative || !link.tentative;
+  if (rods_as_outlines && link.doubt == LinkDoubt::kRodOutline) return has(LinkKind::kRod);
+  return has(link.kind) && (tentative || !link.tentative);
 }
 
 std::array<bool, kNumLinkKinds> KindsFromNames(const std::string& names) {

@@ -12,7 +12,7 @@ namespace limn {
 struct LinkSelection {
   std::array<bool, kNumLinkKinds> kinds;  // by LinkKind
   bool tentative = false;
-  // Rods by their outlines, which are what images show, instead of their center lines.
+  // Rods by their outlines, of any kind, which are what images show, instead of their center lines.
   bool rods_as_outlines = false;
 
   LinkSelection();

@@ -42,6 +42,7 @@ DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions&
                                     options.refinement.Gate()},
                                    options.belief, options.drawing.topology, context);
   on_stage_end(judged.summary);
+  if (!options.belief.judge) return std::move(judged.graph);
   RodResult rods = FindRods({input.scene, judged.graph}, context);
   on_stage_end(rods.summary);
   return std::move(rods.graph);

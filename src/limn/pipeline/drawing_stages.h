@@ -38,8 +38,8 @@ DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end,
                        const std::string& part = "");
 
-// Refines a drawing, judges its links and finds rods (RefineDrawing, JudgeLinks, FindRods). The
-// paper's drawing stays as it is (PipelineOptions::IsPaper).
+// Refines a drawing, judges its links and finds rods (RefineDrawing, JudgeLinks, FindRods; rods
+// only among judged links). The paper's drawing stays as it is (PipelineOptions::IsPaper).
 DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                             const RunContext& context, const StageObserver& on_stage_end);
 

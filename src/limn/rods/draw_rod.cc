@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
-#include <utility>
+
+#include <Eigen/Geometry>
 
 #include "limn/geometry/angle_between.h"
 #include "limn/geometry/polyline.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/util/angles.h"
-#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -23,8 +22,6 @@ constexpr double kOutlineTurnRad = 25 * kDeg;
 constexpr double kMinPartPx = 6;
 // Ends of rods touch within their radii and this many px.
 constexpr double kTouchPx = 1.5;
-// A view shows a rod at this many places.
-constexpr int kMinShownPlaces = 3;
 
 class RodDrawing {
  public:
@@ -43,9 +40,12 @@ class RodDrawing {
  private:
   int64_t DoubtOutlines(const Rod& rod) {
     int64_t count = 0;
+    const Eigen::AlignedBox3d near = Around(rod);
     const int num_links = editor_.NumLinks();
     for (LinkId id = 0; id < num_links; ++id) {
-      if (!editor_.IsLink(id) || editor_.link(id).tentative) continue;
+      const DrawingLink& link = editor_.link(id);
+      if (link.tentative || link.kind == LinkKind::kContour) continue;
+      if (!near.intersects(BoxOf(link.points_in_world))) continue;
       for (const LinkId part : PartsAlong(rod, id)) {
         graph_.links[part].tentative = true;
         graph_.links[part].doubt = LinkDoubt::kRodOutline;
@@ -53,6 +53,20 @@ class RodDrawing {
       }
     }
     return count;
+  }
+
+  static Eigen::AlignedBox3d BoxOf(const Polyline3d& points) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& point : points) box.extend(point);
+    return box;
+  }
+
+  // What is in reach of its axis.
+  static Eigen::AlignedBox3d Around(const Rod& rod) {
+    const Eigen::Vector3d reach =
+        Eigen::Vector3d::Constant(rod.radius + kOutlineReachPx * rod.footprint);
+    const Eigen::AlignedBox3d box = BoxOf(rod.axis);
+    return {box.min() - reach, box.max() + reach};
   }
 
   // Cuts a link where it leaves or joins a rod. Returns the parts along the rod.
@@ -108,13 +122,7 @@ class RodDrawing {
     link.kind = LinkKind::kRod;
     link.kind_confidence = 1 / (1 + std::exp(-found.evidence.log_ratio));
     link.rod_radius = found.rod.radius;
-    std::map<ViewId, int> shown;
-    for (const RodPlace& place : found.places) {
-      for (const RodSight& sight : place.sights) ++shown[sight.view];
-    }
-    for (const auto& [view, count] : shown) {
-      if (count >= kMinShownPlaces) link.supporting_views.push_back(view);
-    }
+    link.supporting_views = found.views;
     link.residual_px = found.evidence.rms_px;
     link.sigma.assign(link.points_in_world.size(), found.evidence.rms_px * found.rod.footprint);
     return link;
@@ -131,7 +139,10 @@ class RodDrawing {
             const NodeId node_b = editor_.NodeAt({links[b], end_b});
             const Eigen::Vector3d at_a = editor_.node(node_a).position_in_world;
             const Eigen::Vector3d at_b = editor_.node(node_b).position_in_world;
-            if (node_a == node_b || (at_a - at_b).norm() > reach) continue;
+            if ((at_a - at_b).norm() > reach) continue;
+            // It would be a loop.
+            if (node_a == editor_.NodeAt({links[b], 1 - end_b})) continue;
+            if (node_a == node_b) continue;
             editor_.MoveEnds(node_b, node_a);
           }
         }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -36,6 +37,8 @@ constexpr SupportGate kShownRodGate = {1.0, 1.0, 20 * kDeg};
 // Wide enough for the edges of a strip that is seen from the side.
 constexpr SupportGate kCompareGate = {2.0, 1.0, 20 * kDeg};
 constexpr double kMinShownRodShare = 0.7;
+// A view shows a rod at this many places.
+constexpr int kMinShownPlaces = 3;
 // Shortest rod, px and in thicknesses.
 constexpr double kMinRodPx = 20;
 constexpr double kMinThicknesses = 5;
@@ -54,6 +57,19 @@ bool IsThin(const Rod& rod) {
 
 bool IsLong(const Rod& rod) {
   return Length(rod.axis) >= std::max(kMinRodPx * rod.footprint, 2 * kMinThicknesses * rod.radius);
+}
+
+// Views that show a rod at enough places, ascending.
+std::vector<ViewId> ViewsOf(std::span<const RodPlace> places) {
+  std::map<ViewId, int> shown;
+  for (const RodPlace& place : places) {
+    for (const RodSight& sight : place.sights) ++shown[sight.view];
+  }
+  std::vector<ViewId> views;
+  for (const auto& [view, count] : shown) {
+    if (count >= kMinShownPlaces) views.push_back(view);
+  }
+  return views;
 }
 
 class RodFinder {
@@ -78,12 +94,15 @@ class RodFinder {
                              [](const Rod& rod) { return Length(rod.axis) / rod.footprint; });
     std::vector<FoundRod> found;
     std::vector<Rod> rods;
+    std::vector<Rod> refused;  // where two fixed lines are better
     for (Rod& rod : suggested) {
       ThrowIfCancelled(context);
-      if (IsPartOfOne(rod, rods)) continue;
+      if (IsPartOfOne(rod, rods) || IsPartOfOne(rod, refused)) continue;
       GrowRod(images_, finder_, rods, &rod);
       auto grown = Fitted(rod, kFinalGates);
-      if (!grown || !IsRod(grown->evidence) || !IsLong(grown->rod)) continue;
+      if (!grown || !IsLong(grown->rod) || IsPartOfOne(grown->rod, rods)) continue;
+      if (grown->evidence.log_ratio < 0) refused.push_back(grown->rod);
+      if (!IsRod(grown->evidence)) continue;
       rods.push_back(grown->rod);
       found.push_back(*std::move(grown));
     }
@@ -97,8 +116,9 @@ class RodFinder {
     FitRod(images_, views, gates, 0, &rod);
     if (!IsThin(rod)) return std::nullopt;
     FoundRod found;
-    found.places = LookAlongRod(images_, rod, 0, views, kShownRodGate);
-    if (ShownShare(found.places) < kMinShownRodShare) return std::nullopt;
+    const auto places = LookAlongRod(images_, rod, 0, views, kShownRodGate);
+    if (ShownShare(places) < kMinShownRodShare) return std::nullopt;
+    found.views = ViewsOf(places);
     found.evidence =
         CompareWithFixedLines(images_, rod, LookAlongRod(images_, rod, 0, views, kCompareGate));
     found.rod = std::move(rod);

@@ -76,7 +76,7 @@ class RodEquations {
     }
     const int radius = 3 * num_points_;
     triplets_.emplace_back(radius, radius, per_px / (kStepRadiusPx * kStepRadiusPx));
-    for (int i = 1; i < last; ++i) AddBend(i, per_px / (kBendPx * kBendPx));
+    for (int i = std::max(1, first_ - 1); i < last; ++i) AddBend(i, per_px / (kBendPx * kBendPx));
   }
 
   void AddBend(int i, double weight) {

@@ -82,7 +82,7 @@ void CutEnd(const TopologyInput& input, const ViewFinder& finder, Rod* rod) {
   const std::vector<ViewId> views = finder.NearAnyOf({end});
   const auto places = LookAlongRod(input, *rod, rod->axis.size() - 2, views, kGrownGate);
   const auto last = std::ranges::find_if(std::views::reverse(places), &RodPlace::IsShown);
-  if (last == places.rend()) return;
+  if (last == places.rend()) return;  // a short rod that did not grow
   end = before + (last->t + 0.5 / static_cast<double>(places.size())) * (end - before);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "limn/geometry/angle_between.h"
 #include "limn/geometry/polyline.h"
@@ -57,6 +58,10 @@ struct Run {
   std::vector<double> distances;
 };
 
+void KeepLonger(Run run, Run* longest) {
+  if (run.middles.size() > longest->middles.size()) *longest = std::move(run);
+}
+
 class SeedFinder {
  public:
   SeedFinder(const std::vector<View>& views, const DrawingGraph& graph)
@@ -83,10 +88,11 @@ class SeedFinder {
         }
         run.middles.push_back((places_[p].position + place->position) / 2);
         run.distances.push_back((places_[p].position - place->position).norm());
-        if (run.middles.size() > longest[other].middles.size()) longest[other] = run;
       }
+      for (auto& [other, run] : current) KeepLonger(std::move(run), &longest[other]);
       current = std::move(next);
     }
+    for (auto& [other, run] : current) KeepLonger(std::move(run), &longest[other]);
     for (const auto& [other, run] : longest) {
       if (std::ssize(run.middles) < kMinRun) continue;
       seeds.push_back(SeedFrom(run, places_[first_[n]].footprint));

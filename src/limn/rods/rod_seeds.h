@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// Rods that pairs of links suggest: believed links that run beside each other for at least 14 px,
+// Rods that pairs of links suggest: believed links that run beside each other for at least 12 px,
 // as far apart as the outlines of a rod can be. The axis is in the middle between them. At most one
 // rod per pair. Time: length of all links in px times links near each other.
 std::vector<Rod> FindRodSeeds(const std::vector<View>& views, const DrawingGraph& graph,

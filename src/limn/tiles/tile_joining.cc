@@ -31,6 +31,7 @@ struct CutEnd {
   double footprint = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();
+  bool is_rod = false;
 };
 
 void Append(DrawingGraph tile, DrawingGraph* whole) {
@@ -110,7 +111,8 @@ class TileJoiner {
                      num_tiles_,
                      footprint,
                      node.position_in_world,
-                     TipOf(link, end.end, footprint).outward});
+                     TipOf(link, end.end, footprint).outward,
+                     link.kind == LinkKind::kRod});
   }
 
   std::vector<Pair> FindPairs() const {
@@ -126,6 +128,7 @@ class TileJoiner {
         const CutEnd& other = cuts_[neighbor.index];
         if (neighbor.index <= i || other.tile == cuts_[i].tile) continue;
         if (cuts_[i].outward.dot(-other.outward) < kMinCosine) continue;
+        if (cuts_[i].is_rod != other.is_rod) continue;  // an outline beside it
         pairs.push_back(
             {std::sqrt(neighbor.squared_distance) / cuts_[i].footprint, i, neighbor.index});
       }

@@ -62,8 +62,10 @@ void ForgetShape(DrawingLink* link) {
   link->dense.reset();
 }
 
-// The kind of two links together, before they are joined: what is sure over more length.
+// The kind of two links together, before they are joined: what is sure over more length. A rod
+// remains one only with another.
 void CombineKinds(const DrawingLink& other, DrawingLink* link) {
+  const bool are_rods = link->kind == LinkKind::kRod && other.kind == LinkKind::kRod;
   const double length = Length(link->points_in_world);
   const double other_length = Length(other.points_in_world);
   const double whole = length + other_length;
@@ -76,6 +78,7 @@ void CombineKinds(const DrawingLink& other, DrawingLink* link) {
   }
   link->kind_confidence =
       std::min(1.0, (is_same ? vote + other_vote : std::abs(vote - other_vote)) / whole);
+  if (link->kind == LinkKind::kRod && !are_rods) link->kind_confidence = 0;
   if (link->kind_confidence == 0) link->kind = LinkKind::kUnknown;
   if (link->kind != LinkKind::kRod) link->rod_radius = 0;
   const double tentative = link->tentative * length + other.tentative * other_length;

@@ -151,6 +151,13 @@ class CornerJoiner {
     const Eigen::Vector3d corner = *CornerOf(group);
     std::vector<LinkEnd> ends;
     for (const int i : group) ends.push_back(task_.editor->CurrentEnd(free_.ends[i]));
+    // Joined by an arc at their other ends since.
+    const double gap_px =
+        (free_.points[group[1]] - free_.points[group[0]]).norm() / free_.tips[group[0]].footprint;
+    if (ends[0].link == ends[1].link &&
+        !MayClose(LengthPx(task_.editor->link(ends[0].link)), gap_px)) {
+      return;
+    }
     const auto arc = group.size() == 2
                          ? ArcInsteadOfCorner(task_.input, *task_.editor, ends[0], ends[1], corner)
                          : std::nullopt;

@@ -211,6 +211,14 @@ TEST(FindRodsTest, ALinkIsCutWhereItLeavesARod) {
   EXPECT_NEAR(Length(graph.links[2].points_in_world), 0.5, 6 * kPx);
 }
 
+TEST(FindRodsTest, NothingIsFoundInNothing) {
+  EXPECT_TRUE(RodScene().Find().graph.links.empty());
+  EXPECT_TRUE(RodScene({}).Find().graph.links.empty());
+  RodScene unseen;
+  unseen.DrawOutlines(kUpright, 1.5, 0, 101);
+  EXPECT_EQ(DoubtsOfOthers(unseen.Find().graph), (std::vector{kNone, kNone}));
+}
+
 TEST(FindRodsTest, EndsThatTouchAreOneNode) {
   const Polyline3d level = Line({0, 0.02, 0.6}, {0, 0.9, 0.6});
   RodScene scene;

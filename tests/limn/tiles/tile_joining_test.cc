@@ -146,6 +146,21 @@ TEST_F(TileJoiningTest, WhatIsTinyIsNoLoop) {
   EXPECT_THAT(joined.graph.links, IsEmpty());
 }
 
+TEST_F(TileJoiningTest, ARodIsNotJoinedWithAnOutlineBesideIt) {
+  DrawingGraph graph;
+  AddLink(testing::Segment({-1, 0, 0}, {1, 0, 0}).points, false, &graph);
+  DrawingGraph rod = graph;
+  rod.links[0].kind = LinkKind::kRod;
+  rod.links[0].rod_radius = 2 * kFootprint;
+  const auto join = [&](const DrawingGraph& left, const DrawingGraph& right) {
+    return JoinTiles({{SlabBetween(-kInfinity, 0), left}, {SlabBetween(0, kInfinity), right}},
+                     views_)
+        .joined;
+  };
+  EXPECT_EQ(join(rod, graph), 0);
+  EXPECT_EQ(join(rod, rod), 1);
+}
+
 TEST_F(TileJoiningTest, OneTileIsItself) {
   DrawingGraph graph;
   AddLink(testing::Circle({0, 0, 0}, 0.8).points, true, &graph);

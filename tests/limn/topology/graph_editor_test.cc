@@ -732,6 +732,16 @@ TEST(JoinKindsTest, TheDoubtIsThatOfTheLongerTentativeLink) {
   EXPECT_EQ(JoinedKinds({}, chance).doubt, LinkDoubt::kNone);
 }
 
+TEST(JoinTest, ARodRemainsOneOnlyWithAnother) {
+  const DrawingLink rod = {.kind = LinkKind::kRod, .kind_confidence = 0.9, .rod_radius = 0.1};
+  EXPECT_EQ(JoinedKinds(rod, rod).kind, LinkKind::kRod);
+  EXPECT_EQ(JoinedKinds(rod, rod).rod_radius, 0.1);
+  for (const DrawingLink& joined : {JoinedKinds(rod, {}), JoinedKinds({}, rod)}) {
+    EXPECT_EQ(joined.kind, LinkKind::kUnknown);
+    EXPECT_EQ(joined.rod_radius, 0);
+  }
+}
+
 TEST(SplitTest, PartsAreOfTheKindOfTheWhole) {
   DrawingGraph graph = GraphWithVertices({Row(0, 5)});
   graph.links[0].kind = LinkKind::kContour;
