@@ -213,7 +213,7 @@ TEST(FindRodsTest, ALinkIsCutWhereItLeavesARod) {
 
 TEST(FindRodsTest, NothingIsFoundInNothing) {
   EXPECT_TRUE(RodScene().Find().graph.links.empty());
-  EXPECT_TRUE(RodScene({}).Find().graph.links.empty());
+  EXPECT_TRUE(RodScene(std::vector<View>()).Find().graph.links.empty());
   RodScene unseen;
   unseen.DrawOutlines(kUpright, 1.5, 0, 101);
   EXPECT_EQ(DoubtsOfOthers(unseen.Find().graph), (std::vector{kNone, kNone}));

@@ -675,6 +675,7 @@ struct KindOfLink {
   double confidence = 0;
   bool tentative = false;
   LinkDoubt doubt = LinkDoubt::kNone;
+  double rod_radius = 0;
 };
 
 // Joins a link 4 long to one 2 long.
@@ -685,6 +686,7 @@ DrawingLink JoinedKinds(const KindOfLink& longer, const KindOfLink& shorter) {
     link->kind_confidence = from.confidence;
     link->tentative = from.tentative;
     link->doubt = from.doubt;
+    link->rod_radius = from.rod_radius;
   };
   set(longer, &graph.links[0]);
   set(shorter, &graph.links[1]);
@@ -733,7 +735,7 @@ TEST(JoinKindsTest, TheDoubtIsThatOfTheLongerTentativeLink) {
 }
 
 TEST(JoinTest, ARodRemainsOneOnlyWithAnother) {
-  const DrawingLink rod = {.kind = LinkKind::kRod, .kind_confidence = 0.9, .rod_radius = 0.1};
+  const KindOfLink rod = {.kind = LinkKind::kRod, .confidence = 0.9, .rod_radius = 0.1};
   EXPECT_EQ(JoinedKinds(rod, rod).kind, LinkKind::kRod);
   EXPECT_EQ(JoinedKinds(rod, rod).rod_radius, 0.1);
   for (const DrawingLink& joined : {JoinedKinds(rod, {}), JoinedKinds({}, rod)}) {
