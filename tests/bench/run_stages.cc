@@ -3,9 +3,11 @@
 #include "limn/belief/link_judge.h"
 #include "limn/drawing/drawing.h"
 #include "limn/kinds/classify_kinds.h"
+#include "limn/model/link_selection.h"
 #include "limn/pipeline/build_sketch.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
+#include "limn/rods/find_rods.h"
 
 namespace limn::bench {
 namespace {
@@ -52,15 +54,27 @@ void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_imag
                           options.belief, options.drawing.topology, context);
       },
       of_graph, on_stage_end);
+  // Truth has the outlines of rods.
+  const auto as_seen = [](const auto& result) {
+    LinkSelection selection = LinkSelection::AsSeen();
+    selection.kinds.fill(true);
+    selection.tentative = true;
+    return ToCurveSet(Selected(result.graph, selection));
+  };
+  const RodResult rods = Measure(
+      [&] {
+        return FindRods({{scene.views, scene.curves, scene.hints}, judged.graph}, context);
+      },
+      as_seen, on_stage_end);
   const PrimitiveResult primitives =
-      Measure([&] { return FitPrimitives(judged.graph, scene.views, options.primitives, context); },
-              of_graph, on_stage_end);
+      Measure([&] { return FitPrimitives(rods.graph, scene.views, options.primitives, context); },
+              as_seen, on_stage_end);
   if (!read_image) return;
   Measure(
       [&] {
         return ClassifyKinds({scene.views, read_image, primitives.graph}, context);
       },
-      of_graph, on_stage_end);
+      as_seen, on_stage_end);
 }
 
 }  // namespace limn::bench
