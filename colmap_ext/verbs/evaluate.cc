@@ -305,9 +305,9 @@ void EvaluatorOptions::AddOptions(OptionParser* parser) {
                     BasicOption("true curves with their kinds, .json: also compare the kinds of "
                                 "the links of a drawing.json"));
   parser->AddOption("rods_path", &rods_path,
-                    BasicOption("true center lines of rods, with a vertex property radius if they "
-                                "are .ply and it is known: judge rods by these, and neither rods "
-                                "nor their outlines as curves"));
+                    "true center lines of rods, with a vertex property radius if they "
+                    "are .ply and it is known: judge rods by these, and neither rods "
+                    "nor their outlines as curves");
   parser->AddOption("box", &box, BasicOption("only what is inside counts: x0,x1,y0,y1,z0,z1"));
   parser->AddOption(
       "workspace_path", &layout.workspace_path,
