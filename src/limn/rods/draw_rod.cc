@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 
-#include "limn/geometry/angle_between.h"
 #include "limn/geometry/polyline.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/link_geometry.h"
@@ -87,13 +86,10 @@ class RodDrawing {
 
   // Per point of a link, whether it runs along a rod; short stretches are as those beside them.
   static std::vector<uint8_t> Along(const Rod& rod, const DrawingLink& link) {
-    const double reach = rod.radius + kOutlineReachPx * rod.footprint;
     std::vector<uint8_t> along(link.size(), 0);
     for (int k = 0; k < link.size(); ++k) {
-      const PolylinePoint closest = ClosestPoint(rod.axis, link.points_in_world[k]);
-      const Eigen::Vector3d tangent = rod.axis[closest.segment + 1] - rod.axis[closest.segment];
-      along[k] = closest.squared_distance <= reach * reach &&
-                 LineAngleBetween(TangentAt(link, k), tangent) < kOutlineTurnRad;
+      along[k] = RunsAlong(rod, link.points_in_world[k], TangentAt(link, k), kOutlineReachPx,
+                           kOutlineTurnRad);
     }
     const std::vector<double> arc = CumulativeLength(link.points_in_world);
     for (const uint8_t value : {0, 1}) FillShort(value, kMinPartPx * rod.footprint, arc, &along);

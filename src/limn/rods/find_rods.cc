@@ -1,7 +1,6 @@
 #include "limn/rods/find_rods.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <map>

@@ -38,7 +38,7 @@ class RodEquations {
   void Add(const TopologyInput& input, const RodPlace& place) {
     for (const RodSight& sight : place.sights) {
       for (const int side : {0, 1}) {
-        const Eigen::Vector3d to_outline = side == 0 ? sight.to_outline : -sight.to_outline;
+        const Eigen::Vector3d to_outline = sight.ToOutline(side);
         const EdgelRef& ref = sight.edgels[side];
         const auto residual = input.Residual(ref, place.position + sight.seen_radius * to_outline);
         if (!residual) continue;

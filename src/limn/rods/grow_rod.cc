@@ -34,13 +34,6 @@ bool ComesBack(const Rod& rod) {
                      [&](const auto& point) { return (point - rod.axis.back()).norm() < reach; });
 }
 
-bool RunsAlong(const Rod& other, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  if (!IsBeside(other, to, kBesidePx)) return false;
-  const PolylinePoint at = ClosestPoint(other.axis, to);
-  const Eigen::Vector3d direction = other.axis[at.segment + 1] - other.axis[at.segment];
-  return LineAngleBetween(direction, to - from) < kMaxGrowthTurnRad;
-}
-
 // Whether images show the last segment of a rod.
 bool IsEndShown(const TopologyInput& input, const Rod& rod, std::span<const ViewId> views) {
   const auto& axis = rod.axis;
@@ -65,7 +58,8 @@ bool Extend(const TopologyInput& input, const ViewFinder& finder, std::span<cons
     FitRod(input, views, kGrowthGates, rod->axis.size() - 1, &fitted);
     if (!IsEndShown(input, fitted, views)) continue;
     if (std::ranges::any_of(others, [&](const Rod& other) {
-          return RunsAlong(other, rod->axis.back(), fitted.axis.back());
+          const Eigen::Vector3d& end = fitted.axis.back();
+          return RunsAlong(other, end, end - rod->axis.back(), kBesidePx, kMaxGrowthTurnRad);
         })) {
       return false;
     }

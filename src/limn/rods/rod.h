@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/geometry/polyline.h"
 
 namespace limn {
@@ -20,6 +21,14 @@ struct Rod {
 inline bool IsBeside(const Rod& rod, const Eigen::Vector3d& place, double outside_px) {
   const double reach = rod.radius + outside_px * rod.footprint;
   return ClosestPoint(rod.axis, place).squared_distance < reach * reach;
+}
+
+// Whether a curve that passes a place there in this direction, of either sign, runs along a rod.
+inline bool RunsAlong(const Rod& rod, const Eigen::Vector3d& place,
+                      const Eigen::Vector3d& direction, double outside_px, double max_turn_rad) {
+  if (!IsBeside(rod, place, outside_px)) return false;
+  const int segment = ClosestPoint(rod.axis, place).segment;
+  return LineAngleBetween(rod.axis[segment + 1] - rod.axis[segment], direction) < max_turn_rad;
 }
 
 }  // namespace limn

@@ -58,7 +58,7 @@ std::vector<Observation> Observe(const TopologyInput& input, std::span<const Rod
     across.col(1) = place.tangent.cross(across.col(0));
     for (const RodSight& sight : place.sights) {
       for (const int side : {0, 1}) {
-        const Eigen::Vector3d to_outline = side == 0 ? sight.to_outline : -sight.to_outline;
+        const Eigen::Vector3d to_outline = sight.ToOutline(side);
         const auto residual =
             input.Residual(sight.edgels[side], place.position + sight.seen_radius * to_outline);
         if (!residual) continue;

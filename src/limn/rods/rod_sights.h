@@ -23,6 +23,11 @@ struct RodSight {
   // How far from the axis the edges appear, world units, and its derivative by the radius.
   double seen_radius = 0;
   double seen_per_radius = 1;
+
+  // Unit vector from the axis to outline 0 or 1.
+  Eigen::Vector3d ToOutline(int side) const {
+    return side == 0 ? to_outline : Eigen::Vector3d(-to_outline);
+  }
 };
 
 // Blur moves the two edges of a bar apart. Half the distance, px, at which they appear

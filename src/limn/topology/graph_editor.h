@@ -83,7 +83,7 @@ class GraphEditor {
 
   // Sets the pairs of ends at a node that continue each other.
   void SetContinuations(NodeId id, std::vector<std::pair<LinkEnd, LinkEnd>> pairs);
-  // Sets the kind with full confidence: it is known, not estimated. Only a rod can be one.
+  // Sets the kind with full confidence: it is known, not estimated. kRod: of a rod only.
   void SetKind(LinkId id, LinkKind kind);
   // No longer tentative.
   void MakeFirm(LinkId id);
