@@ -269,6 +269,9 @@ void BindLink(py::module_* module) {
       .def_property_readonly(
           "residual_px", [](const Link& link) { return link.Get().residual_px; },
           "Median distance from the edges of the images, px.")
+      .def_property_readonly(
+          "tri_angle", [](const Link& link) { return link.Get().tri_angle_deg; },
+          "Angle by which its views measure its depth, 0 to 90 degrees; -1 if unknown.")
       .def_property_readonly("primitive", PrimitiveOf, "The simplest curve that explains it.")
       .def_property_readonly(
           "dense_class", DenseClassOf,

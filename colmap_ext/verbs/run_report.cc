@@ -133,7 +133,8 @@ Json ToJson(const Trust& trust) {
           {"error_px", OrNull(trust.error_px)},
           {"error_90_px", OrNull(trust.error_90_px)},
           {"has_share_of_cameras", trust.has_share_of_cameras},
-          {"tentative", OrNull(trust.tentative)}};
+          {"tentative", OrNull(trust.tentative)},
+          {"unmeasured", OrNull(trust.unmeasured)}};
 }
 
 std::string RunReportJson(const Project& project, const RunOptions& options,

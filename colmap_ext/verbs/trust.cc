@@ -23,6 +23,8 @@ constexpr double kNextToNothing = 0.02;
 constexpr double kNextToNothingInBox = 0.0005;
 // An image that agrees less than this much of the median is named.
 constexpr double kMuchLess = 1.0 / 3;
+// More of the length than this without measured depth is worth a warning.
+constexpr double kMuchUnmeasured = 0.1;
 
 std::string Percent(double share) { return ShortNumber(100 * share) + " %"; }
 
@@ -81,12 +83,13 @@ void AddCertainty(const ViewSet& set, const std::vector<View>& views, const Draw
                   Trust* trust) {
   const LinkSelection selection;
   const double scale = set.TypicalScale();
-  double length = 0, well_seen = 0, tentative = 0;
+  double length = 0, well_seen = 0, tentative = 0, unmeasured = 0;
   std::vector<WeightedValue> sigmas_px;
   for (const DrawingLink& link : graph.links) {
     const double of_link = Length(link.points_in_world);
     // A rod stands for its outlines, which are sure.
     if (link.tentative && link.doubt != LinkDoubt::kRodOutline) tentative += of_link;
+    if (link.doubt == LinkDoubt::kDepth) unmeasured += of_link;
     if (!selection.Has(link)) continue;
     length += of_link;
     if (set.CountImages(link.supporting_views) >= kManyImages) well_seen += of_link;
@@ -97,7 +100,10 @@ void AddCertainty(const ViewSet& set, const std::vector<View>& views, const Draw
     }
   }
   if (length > 0) trust->well_seen = well_seen / length;
-  if (length + tentative > 0) trust->tentative = tentative / (length + tentative);
+  if (const double found = length + tentative; found > 0) {
+    trust->tentative = tentative / found;
+    trust->unmeasured = unmeasured / found;
+  }
   trust->error_px = WeightedQuantile(sigmas_px, 0.5);
   trust->error_90_px = WeightedQuantile(sigmas_px, 0.9);
 }
@@ -146,6 +152,12 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
   if (trust.tentative) {
     console->Say(Percent(*trust.tentative) +
                  " of the length found is doubtful, hence tentative and not exported");
+  }
+  if (trust.unmeasured.value_or(0) > kMuchUnmeasured) {
+    console->Say("WARNING: the depth of " + Percent(*trust.unmeasured) +
+                 " of the length found was not measured: its images were taken from nearly the "
+                 "same place. Take photographs from places farther apart, or, if the object turned "
+                 "before the camera, mask what stood still (--mask_path)");
   }
   if (!trust.error_px || !trust.error_90_px) return;
   console->Say(

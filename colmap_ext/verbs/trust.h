@@ -33,6 +33,8 @@ struct Trust {
   bool has_share_of_cameras = false;
   // Share of the drawn length that is tentative. Wrong cameras raise it, and so do short baselines.
   std::optional<double> tentative;
+  // Share whose depth was not measured (LinkDoubt::kDepth); part of `tentative`.
+  std::optional<double> unmeasured;
 };
 
 // `views` are those of the set with the cameras that the drawing fits; `curves` belong to them, or

@@ -590,6 +590,7 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
   EXPECT_GT(trust.at("error_90_px").get<double>(), trust.at("error_px").get<double>());
   EXPECT_GE(trust.at("tentative").get<double>(), 0);
   EXPECT_LT(trust.at("tentative").get<double>(), 0.5);
+  EXPECT_LE(trust.at("unmeasured").get<double>(), trust.at("tentative").get<double>());
   ASSERT_EQ(report.at("evaluation").size(), 2u);
   EXPECT_GT(report.at("evaluation")[0].at("precision").get<double>(), 0.3);
   EXPECT_EQ(report.at("pr_curves").size(), 2u);

@@ -6,7 +6,10 @@
 #include <string>
 
 #include "limn/belief/link_claims.h"
+#include "limn/belief/loose_pieces.h"
+#include "limn/belief/measured_depth.h"
 #include "limn/belief/seen_through.h"
+#include "limn/belief/tri_angle.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/view_edgels.h"
@@ -80,16 +83,16 @@ class Judge {
     return LinkDoubt::kNone;
   }
 
+  double EvidenceOf(size_t l) const {
+    return links_[l].evidence + EvidenceOfSigma(graph_.links[l], links_[l].footprint);
+  }
+
   double LengthPx(size_t l) const {
     const double footprint = links_[l].footprint;
     return footprint > 0 ? Length(graph_.links[l].points_in_world) / footprint : 0;
   }
 
  private:
-  double EvidenceOf(size_t l) const {
-    return links_[l].evidence + EvidenceOfSigma(graph_.links[l], links_[l].footprint);
-  }
-
   // Whether enough views see others through the link, also compared with those that show it.
   bool IsContradicted(size_t l) const {
     return views_through_[l] >= kMinContradictingViews &&
@@ -159,13 +162,23 @@ BeliefResult JudgeLinks(const BeliefInput& input, const BeliefOptions& options,
   result.summary.stage = "belief";
   if (!options.judge) return result;
   const Judge judge(input, options, topology, context);
+  std::vector<double> length_px;
+  std::vector<double> evidence;
+  std::vector<double> angle_deg;
+  for (size_t l = 0; l < result.graph.links.size(); ++l) {
+    result.graph.links[l].doubt = judge.DoubtOf(l);
+    length_px.push_back(judge.LengthPx(l));
+    evidence.push_back(judge.EvidenceOf(l));
+    angle_deg.push_back(TriAngleDeg(input.graph.links[l], input.scene.views));
+  }
+  DoubtUnmeasuredDepth(angle_deg, options.min_tri_angle_deg, &result.graph);
+  DoubtLoosePieces(length_px, evidence, &result.graph);
   Tally tally;
   for (size_t l = 0; l < result.graph.links.size(); ++l) {
     DrawingLink& link = result.graph.links[l];
-    link.doubt = judge.DoubtOf(l);
     link.tentative = link.doubt != LinkDoubt::kNone;
     ++tally.links[static_cast<int>(link.doubt)];
-    tally.px[static_cast<int>(link.doubt)] += judge.LengthPx(l);
+    tally.px[static_cast<int>(link.doubt)] += length_px[l];
   }
   result.summary = Summarize(tally);
   return result;

@@ -19,8 +19,7 @@ void Set(LinkKind kind, double confidence, DrawingLink* link) {
 }  // namespace
 
 void UseSurfaceForKind(DrawingLink* link) {
-  if (!link->dense || link->dense->behind_surface) return;
-  if (link->kind == LinkKind::kContour || link->kind == LinkKind::kRod) return;
+  if (!link->dense || link->dense->behind_surface || !link->IsAlongEdgels()) return;
   const double fold_deg = link->dense->fold_deg;
   if (link->dense->dense_class == DenseClass::kBoundary) {
     Set(LinkKind::kEdge, kBoundaryConfidence, link);

@@ -107,7 +107,7 @@ KindsResult ClassifyKinds(const KindsInput& input, const RunContext& context) {
   KindsResult result = {input.graph, {}};
   for (size_t l = 0; l < evidence.size(); ++l) {
     DrawingLink& link = result.graph.links[l];
-    if (link.kind == LinkKind::kContour || link.kind == LinkKind::kRod) continue;
+    if (!link.IsAlongEdgels()) continue;
     const KindOfLink kind = Classify(evidence[l], light_variation);
     link.kind = kind.kind;
     link.kind_confidence = kind.confidence;

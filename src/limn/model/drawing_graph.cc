@@ -14,7 +14,8 @@ constexpr NameTable<NodeKind, 3> kNodeKinds = {{"end", "junction", "loop_anchor"
 constexpr NameTable<LinkKind, kNumLinkKinds> kLinkKinds = {
     {"unknown", "edge", "paint", "shadow", "contour", "rod"}};
 constexpr NameTable<LinkDoubt, kNumLinkDoubts> kLinkDoubts = {
-    {"", "few views", "chance", "seen through", "explained by others", "outline of a rod"}};
+    {"", "few views", "chance", "seen through", "explained by others", "outline of a rod",
+     "depth not measured"}};
 constexpr NameTable<DenseClass, 4> kDenseClasses = {{"unknown", "surface", "boundary", "free"}};
 
 class Violations {
@@ -62,6 +63,9 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
   }
   if (!(link.kind_confidence >= 0 && link.kind_confidence <= 1)) {
     violations->Add("link", id, "confidence of its kind not from 0 to 1");
+  }
+  if (!(link.tri_angle_deg == -1 || (link.tri_angle_deg >= 0 && link.tri_angle_deg <= 90))) {
+    violations->Add("link", id, "triangulation angle not from 0 to 90");
   }
   const bool has_radius = link.rod_radius > 0 && std::isfinite(link.rod_radius);
   if (link.kind == LinkKind::kRod ? !has_radius : link.rod_radius != 0) {

@@ -89,10 +89,12 @@ enum class LinkDoubt : uint8_t {
   kSeenThrough,  // other links are seen through it
   kExplained,    // better links explain its edgels
   kRodOutline,   // a rod stands for it; by itself it would be believed
+  kDepth,        // its views are too near to each other to measure its depth
 };
-constexpr int kNumLinkDoubts = 6;
+constexpr int kNumLinkDoubts = 7;
 
-// "", "few views", "chance", "seen through", "explained by others", "outline of a rod".
+// "", "few views", "chance", "seen through", "explained by others", "outline of a rod", "depth not
+// measured".
 const char* LinkDoubtName(LinkDoubt doubt);
 // Nothing if there is no such doubt.
 std::optional<LinkDoubt> LinkDoubtNamed(const std::string& name);
@@ -155,6 +157,8 @@ struct DrawingLink {
   std::vector<LinkMember> members;
   // Median distance of the reprojected link to its supporting edgels, pixels.
   double residual_px = 0;
+  // The angle by which its views measure its depth (TriAngleDeg); -1: unknown.
+  double tri_angle_deg = -1;
   // Of most of its length.
   LinkKind kind = LinkKind::kUnknown;
   double kind_confidence = 0;  // 0 to 1; 0 if unknown
@@ -173,6 +177,8 @@ struct DrawingLink {
 
   int size() const { return static_cast<int>(points_in_world.size()); }
   NodeId NodeAt(int end) const { return end == 0 ? node0 : node1; }
+  // An outline is elsewhere in each view, and a center line between the edgels.
+  bool IsAlongEdgels() const { return kind != LinkKind::kContour && kind != LinkKind::kRod; }
 };
 
 // The 3D drawing: curves (links) that meet at nodes.

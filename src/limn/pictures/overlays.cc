@@ -13,6 +13,8 @@ namespace limn {
 namespace {
 
 constexpr int kSmallImagePx = 1000;
+// Largest radius of a mark, as a share of the longest link at the node.
+constexpr double kMarkShare = 1.0 / 6;
 
 int Scale(const PictureOptions& options, int width, int height) {
   if (options.scale > 0) return options.scale;
@@ -35,9 +37,15 @@ Color Faded(const Color& color) {
   return {fade(color.red), fade(color.green), fade(color.blue)};
 }
 
-void DrawPolyline(const View& view, const std::vector<Eigen::Vector3d>& points, const Color& color,
-                  int width, Canvas* canvas) {
-  for (const auto& run : ProjectPolyline(view, points)) canvas->DrawLine(run, color, width);
+// Returns the length of what is drawn, stored px.
+double DrawPolyline(const View& view, const std::vector<Eigen::Vector3d>& points,
+                    const Color& color, int width, Canvas* canvas) {
+  double length = 0;
+  for (const auto& run : ProjectPolyline(view, points)) {
+    canvas->DrawLine(run, color, width);
+    for (size_t k = 0; k + 1 < run.size(); ++k) length += (run[k + 1] - run[k]).norm();
+  }
+  return length;
 }
 
 // Whether a link is to be seen clearly: the view supports it, and exports have it, or a rod in its
@@ -95,20 +103,24 @@ Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const 
   CheckSize(photo, view.camera.width, view.camera.height, view.name);
   Canvas canvas = MakeCanvas(photo, options);
   const std::vector<LinkId> curves = CurvesOf(graph);
+  std::vector<double> clear_px(graph.links.size(), 0);  // of the picture
   for (const bool clear : {false, true}) {
     for (size_t id = 0; id < graph.links.size(); ++id) {
       const DrawingLink& link = graph.links[id];
       if (IsClear(view_id, link) != clear) continue;
       const Color color = ColorOfCurve(curves[id]);
-      DrawPolyline(view, link.points_in_world, clear ? color : Faded(color),
-                   clear ? options.line_width_px : 1, &canvas);
+      const double length = DrawPolyline(view, link.points_in_world, clear ? color : Faded(color),
+                                         clear ? options.line_width_px : 1, &canvas);
+      if (clear) clear_px[id] = length * Scale(options, photo.width, photo.height);
     }
   }
   for (const DrawingNode& node : graph.nodes) {
-    const bool clear = std::any_of(node.incident.begin(), node.incident.end(), [&](LinkEnd end) {
-      return IsClear(view_id, graph.links[end.link]);
-    });
-    if (clear) DrawNode(view, node, options.node_radius_px, &canvas);
+    double longest_px = 0;
+    for (const LinkEnd& end : node.incident) {
+      longest_px = std::max(longest_px, clear_px[end.link]);
+    }
+    if (longest_px == 0) continue;
+    DrawNode(view, node, std::min(options.node_radius_px, kMarkShare * longest_px), &canvas);
   }
   return canvas.picture();
 }

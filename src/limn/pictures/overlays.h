@@ -15,7 +15,8 @@ struct PictureOptions {
   int scale = 0;
   // Factor on the photograph's gray levels, in [0, 1]; lower makes the lines stand out.
   double brightness = 0.55;
-  // Width of the lines and radius of a junction's disc, pixels of the picture.
+  // Width of the lines and radius of a junction's disc, pixels of the picture. Marks of nodes whose
+  // links are all shorter than six radii are smaller.
   int line_width_px = 2;
   double node_radius_px = 5.0;
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "limn/belief/link_judge.h"
+#include "limn/belief/tri_angle.h"
 #include "limn/kinds/classify_kinds.h"
 #include "limn/paper/paper_drawing.h"
 #include "limn/pipeline/sketch_views.h"
@@ -53,6 +54,7 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const PipelineOptions& options, const RunContext& context,
                            const StageObserver& on_stage_end) {
   if (options.IsPaper()) return graph;
+  MeasureTriAngles(views, &graph);
   PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
   on_stage_end(primitives.summary);
   graph = std::move(primitives.graph);

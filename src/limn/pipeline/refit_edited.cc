@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "limn/belief/tri_angle.h"
 #include "limn/kinds/classify_kinds.h"
 #include "limn/model/footprint.h"
 #include "limn/primitives/fit_primitives.h"
@@ -69,6 +70,7 @@ StageSummary RefitEdited(const CurvesScene& scene, const std::function<Image(Vie
   WarnOfGaps(refit.shown, edited);
   edited->graph =
       RefitPrimitives(refit.graph, edited->touched, scene.views, options.primitives, context);
+  MeasureTriAngles(scene.views, &edited->graph);
   TellKinds(scene.views, read_image, context, edited);
   SnapDimensions(scene.views, edited);
   StageSummary summary;

@@ -7,13 +7,10 @@
 
 namespace limn {
 
-// Per link, whether fits take it: all except the outlines of smooth bodies and the center lines of
-// rods, which no edgels show.
+// Per link, whether fits take it.
 inline std::vector<uint8_t> AreEdges(const DrawingGraph& graph) {
   std::vector<uint8_t> are_edges;
-  for (const DrawingLink& link : graph.links) {
-    are_edges.push_back(link.kind != LinkKind::kContour && link.kind != LinkKind::kRod);
-  }
+  for (const DrawingLink& link : graph.links) are_edges.push_back(link.IsAlongEdgels());
   return are_edges;
 }
 

@@ -60,6 +60,7 @@ void ForgetShape(DrawingLink* link) {
   link->primitive.reset();
   link->regularity.reset();
   link->dense.reset();
+  link->tri_angle_deg = -1;
 }
 
 // The kind of two links together, before they are joined: what is sure over more length. A rod

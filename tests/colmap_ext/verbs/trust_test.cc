@@ -41,5 +41,17 @@ TEST(MeasureTrust, CountsImagesNotTheirParts) {
   EXPECT_DOUBLE_EQ(of_images.well_seen.value(), 0.75);
 }
 
+TEST(MeasureTrust, TellsWhatHasNoMeasuredDepth) {
+  const ViewSet set = ThreeImagesInParts();
+  DrawingGraph graph;
+  graph.links = {LinkSeenBy({0, 4}, 1), LinkSeenBy({0, 4}, 2), LinkSeenBy({0, 4}, 1)};
+  graph.links[1].tentative = graph.links[2].tentative = true;
+  graph.links[1].doubt = LinkDoubt::kDepth;
+  graph.links[2].doubt = LinkDoubt::kChance;
+  const Trust trust = MeasureTrust(set, set.views, {}, graph);
+  EXPECT_DOUBLE_EQ(trust.tentative.value(), 0.75);
+  EXPECT_DOUBLE_EQ(trust.unmeasured.value(), 0.5);
+}
+
 }  // namespace
 }  // namespace limn::colmap_ext

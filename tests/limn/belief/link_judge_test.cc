@@ -77,8 +77,9 @@ TEST(JudgeLinksTest, WhatHasGrownFromALinkIsNoEvidenceForIt) {
     scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0), 2);
     scene.Add(FrontalPoint(-50, 0), FrontalPoint(-50, 20), 1);
     if (has_grown) scene.graph.links[1].members.clear();
-    EXPECT_EQ(DoubtsOf(scene),
-              (Doubts{has_grown ? LinkDoubt::kChance : LinkDoubt::kNone, LinkDoubt::kNone}));
+    // What is left is a loose piece.
+    const LinkDoubt doubt = has_grown ? LinkDoubt::kChance : LinkDoubt::kNone;
+    EXPECT_EQ(DoubtsOf(scene), (Doubts{doubt, doubt}));
   }
 }
 
@@ -184,6 +185,36 @@ TEST(JudgeLinksTest, WithoutJudgmentAllStaysAsItIs) {
   const BeliefResult result = Judged(scene, {0}, options);
   EXPECT_EQ(DoubtsOf(result.graph), (Doubts{LinkDoubt::kNone}));
   EXPECT_TRUE(result.summary.in.empty());
+}
+
+// The views form a grid of four by four, 3.4 degrees apart; the link runs along its rows.
+BeliefOptions FourDegrees() {
+  BeliefOptions options;
+  options.min_tri_angle_deg = 4;
+  return options;
+}
+
+TEST(JudgeLinksTest, ViewsNearToEachOtherDoNotMeasureDepth) {
+  const auto doubt_of = [](std::vector<ViewId> supporting) {
+    BeliefScene scene;
+    scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0));
+    scene.graph.links[0].supporting_views = std::move(supporting);
+    return Judged(scene, {}, FourDegrees()).graph.links[0].doubt;
+  };
+  EXPECT_EQ(doubt_of({0, 4}), LinkDoubt::kDepth);
+  EXPECT_EQ(doubt_of({0, 1, 2, 3}), LinkDoubt::kDepth);
+  EXPECT_EQ(doubt_of({0, 8}), LinkDoubt::kNone);
+}
+
+TEST(JudgeLinksTest, ALinkHeldByItsNodesIsAsGoodAsItsNeighbors) {
+  for (const ViewId last : {4, 12}) {
+    BeliefScene scene;
+    scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0));
+    scene.graph.links[0].supporting_views = {0, last};
+    scene.Add(FrontalPoint(50, 0), FrontalPoint(50, 20));
+    const LinkDoubt doubt = last == 4 ? LinkDoubt::kDepth : LinkDoubt::kNone;
+    EXPECT_EQ(DoubtsOf(Judged(scene, {}, FourDegrees()).graph), (Doubts{doubt, doubt}));
+  }
 }
 
 TEST(JudgeLinksTest, TheSummaryAccountsForAllLinks) {

@@ -217,6 +217,7 @@ TEST(WriteDrawing, JsonKeepsTheKinds) {
     graph.links[l].kind = kinds[l];
     graph.links[l].kind_confidence = 1.0 / static_cast<double>(l + 1);
     graph.links[l].tentative = l >= 1;
+    if (l >= 1) graph.links[l].tri_angle_deg = 12.5 * static_cast<double>(l);
     graph.links[l].doubt = l == 2 ? LinkDoubt::kExplained : LinkDoubt::kNone;
   }
   const std::string path = folder.Path("d.json");
@@ -226,6 +227,7 @@ TEST(WriteDrawing, JsonKeepsTheKinds) {
     EXPECT_EQ(read.links[l].kind, kinds[l]);
     EXPECT_EQ(read.links[l].kind_confidence, graph.links[l].kind_confidence);
     EXPECT_EQ(read.links[l].tentative, l >= 1);
+    EXPECT_EQ(read.links[l].tri_angle_deg, graph.links[l].tri_angle_deg);
     EXPECT_EQ(read.links[l].doubt, graph.links[l].doubt);
   }
   const std::string text = TemporaryFolder::Read(path);

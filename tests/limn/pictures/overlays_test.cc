@@ -126,6 +126,25 @@ TEST(DrawOverlay, TentativeLinksAndContoursAreFadedAndTheirNodesUnmarked) {
   }
 }
 
+TEST(DrawOverlay, MarksAreNotLargerThanTheirLinks) {
+  PictureOptions options;
+  options.scale = 1;
+  options.node_radius_px = 20;  // the square of an end has .45 of that
+  const auto is_marked = [&](double half_length) {
+    DrawingGraph graph = HorizontalLink();
+    for (Eigen::Vector3d& point : graph.links[0].points_in_world) {
+      point.x() = std::copysign(half_length, point.x());
+    }
+    graph.nodes[0].position_in_world = graph.links[0].points_in_world.front();
+    graph.nodes[1].position_in_world = graph.links[0].points_in_world.back();
+    const Picture picture = DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, graph, options);
+    const Eigen::Vector2d end = *SmallView().Project(graph.nodes[0].position_in_world);
+    return IsColor(picture.At(static_cast<int>(end.x()), 60 + 4), {255, 230, 0});
+  };
+  EXPECT_TRUE(is_marked(0.4));
+  EXPECT_FALSE(is_marked(0.1));
+}
+
 TEST(DrawOverlay, RodsAreSeenByTheirOutlines) {
   PictureOptions options;
   options.scale = 1;

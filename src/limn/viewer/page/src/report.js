@@ -76,6 +76,10 @@ function trust({ images, explained, agree_less: less, many_views: many, ...share
       'Length found that is doubtful, hence tentative',
       isKnown(shares.tentative) ? percent(shares.tentative) : null,
     ],
+    [
+      'Length found of which no two images measured the depth',
+      isKnown(shares.unmeasured) ? percent(shares.unmeasured) : null,
+    ],
   ]);
 }
 

@@ -1,0 +1,56 @@
+#include "limn/belief/tri_angle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "limn/util/angles.h"
+#include "limn/util/median.h"
+
+namespace limn {
+namespace {
+
+constexpr int kMaxPoints = 9;
+// A view that looks along the curve within this angle does not tell its plane.
+constexpr double kMinAngleToCurve = 3 * kDeg;
+
+double SpreadAt(const Eigen::Vector3d& point, const Eigen::Vector3d& tangent,
+                const std::vector<Eigen::Vector3d>& centers) {
+  std::vector<Eigen::Vector3d> normals;
+  double least_cosine = 1;
+  for (const Eigen::Vector3d& center : centers) {
+    const Eigen::Vector3d normal = (point - center).normalized().cross(tangent);
+    if (!(normal.norm() > std::sin(kMinAngleToCurve))) continue;
+    normals.push_back(normal.normalized());
+    for (const Eigen::Vector3d& other : normals) {
+      least_cosine = std::min(least_cosine, std::abs(other.dot(normals.back())));
+    }
+  }
+  return std::acos(least_cosine);
+}
+
+}  // namespace
+
+double TriAngleDeg(const DrawingLink& link, const std::vector<View>& views) {
+  std::vector<Eigen::Vector3d> centers;
+  for (const ViewId view : link.supporting_views) centers.push_back(views[view].CenterInWorld());
+  if (centers.size() < 2) return -1;
+  const auto& points = link.points_in_world;
+  const int last = link.size() - 1;
+  const int num_points = std::min(kMaxPoints, last);
+  std::vector<double> spreads;
+  for (int i = 0; i < num_points; ++i) {
+    const int k = (2 * i + 1) * last / (2 * num_points);
+    const Eigen::Vector3d step = points[k + 1] - points[k];
+    if (!(step.norm() > 0)) continue;
+    spreads.push_back(SpreadAt(0.5 * (points[k] + points[k + 1]), step.normalized(), centers));
+  }
+  return spreads.empty() ? 0 : Degrees(Median(spreads));
+}
+
+void MeasureTriAngles(const std::vector<View>& views, DrawingGraph* graph) {
+  for (DrawingLink& link : graph->links) link.tri_angle_deg = TriAngleDeg(link, views);
+}
+
+}  // namespace limn

@@ -1,0 +1,51 @@
+#include "limn/belief/tri_angle.h"
+
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "limn/topology/graph_fixture.h"
+#include "support/synthetic_scene.h"
+
+namespace limn {
+namespace {
+
+using testing::DrawLink;
+using testing::LookAt;
+
+// Of a line along y through the origin.
+double AngleOfLine(const std::vector<Eigen::Vector3d>& centers) {
+  std::vector<View> views;
+  for (const Eigen::Vector3d& center : centers) views.push_back(LookAt(center, {0, 0, 0}));
+  std::vector<ViewId> all(views.size());
+  std::iota(all.begin(), all.end(), 0);
+  DrawingGraph graph;
+  DrawLink({{0, -1, 0}, {0, 0, 0}, {0, 1, 0}}, all, &graph);
+  MeasureTriAngles(views, &graph);
+  EXPECT_EQ(graph.links[0].tri_angle_deg, TriAngleDeg(graph.links[0], views));
+  return graph.links[0].tri_angle_deg;
+}
+
+TEST(TriAngleTest, TheLargestAngleBetweenTwoViews) {
+  EXPECT_NEAR(AngleOfLine({{0, 0, -5}, {5, 0, -5}}), 45, 1e-9);
+  EXPECT_NEAR(AngleOfLine({{0, 0, -5}, {1, 0, -5}, {5, 0, -5}, {2, 0, -5}}), 45, 1e-9);
+}
+
+TEST(TriAngleTest, MotionAlongTheCurveAddsNothing) {
+  EXPECT_NEAR(AngleOfLine({{0, -2, -5}, {0, 4, -5}}), 0, 1e-5);
+  EXPECT_NEAR(AngleOfLine({{0, -2, -5}, {5, 4, -5}}), 45, 1e-9);
+}
+
+TEST(TriAngleTest, OppositeViewsSeeTheSamePlane) {
+  EXPECT_NEAR(AngleOfLine({{0, 0, -5}, {0, 0, 5}}), 0, 1e-5);
+  EXPECT_NEAR(AngleOfLine({{0, 0, -5}, {1, 0, 1}}), 45, 1e-9);
+}
+
+TEST(TriAngleTest, AViewAlongTheCurveTellsNothing) {
+  EXPECT_NEAR(AngleOfLine({{0, 0, -5}, {0.01, 30, 0}}), 0, 1e-5);
+}
+
+TEST(TriAngleTest, OneViewIsUnknown) { EXPECT_EQ(AngleOfLine({{0, 0, -5}}), -1); }
+
+}  // namespace
+}  // namespace limn
