@@ -164,13 +164,12 @@ BeliefResult JudgeLinks(const BeliefInput& input, const BeliefOptions& options,
   const Judge judge(input, options, topology, context);
   std::vector<double> length_px;
   std::vector<double> evidence;
-  std::vector<double> angle_deg;
   for (size_t l = 0; l < result.graph.links.size(); ++l) {
     result.graph.links[l].doubt = judge.DoubtOf(l);
     length_px.push_back(judge.LengthPx(l));
     evidence.push_back(judge.EvidenceOf(l));
-    angle_deg.push_back(TriAngleDeg(input.graph.links[l], input.scene.views));
   }
+  const std::vector<double> angle_deg = TriAnglesDeg(input.graph, input.scene.views, context);
   DoubtUnmeasuredDepth(angle_deg, options.min_tri_angle_deg, &result.graph);
   DoubtLoosePieces(length_px, evidence, &result.graph);
   Tally tally;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 
 #include "limn/util/union_find.h"
 
@@ -57,11 +58,13 @@ void DoubtUnmeasuredDepth(const std::vector<double>& angle_deg, double min_angle
   UnionFind run_of = FindRuns(*graph, depths);
   std::vector<Run> runs(depths.size());
   for (const DrawingNode& node : graph->nodes) {
+    std::set<int> at_node;  // a loop ends here twice
     const auto has = [&](Depth depth) {
       return std::ranges::any_of(node.incident,
                                  [&](const LinkEnd& end) { return depths[end.link] == depth; });
     };
     for (const LinkEnd& end : node.incident) {
+      if (!at_node.insert(run_of.Find(end.link)).second) continue;
       Run& run = runs[run_of.Find(end.link)];
       run.measured_ends += has(Depth::kMeasured);
       run.meets_unmeasured |= has(Depth::kUnmeasured);
@@ -69,10 +72,10 @@ void DoubtUnmeasuredDepth(const std::vector<double>& angle_deg, double min_angle
   }
   for (size_t l = 0; l < depths.size(); ++l) {
     const Run& run = runs[run_of.Find(static_cast<LinkId>(l))];
-    const bool is_doubted = depths[l] == Depth::kUnmeasured
-                                ? run.measured_ends < 2
-                                : depths[l] == Depth::kUnknown && run.measured_ends < 1 &&
-                                      run.meets_unmeasured;
+    const bool is_doubted =
+        depths[l] == Depth::kUnmeasured
+            ? run.measured_ends < 2
+            : depths[l] == Depth::kUnknown && run.measured_ends < 1 && run.meets_unmeasured;
     if (is_doubted) graph->links[l].doubt = LinkDoubt::kDepth;
   }
 }

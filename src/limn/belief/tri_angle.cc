@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/util/angles.h"
+#include "limn/util/map_items.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -49,8 +50,16 @@ double TriAngleDeg(const DrawingLink& link, const std::vector<View>& views) {
   return spreads.empty() ? 0 : Degrees(Median(spreads));
 }
 
-void MeasureTriAngles(const std::vector<View>& views, DrawingGraph* graph) {
-  for (DrawingLink& link : graph->links) link.tri_angle_deg = TriAngleDeg(link, views);
+std::vector<double> TriAnglesDeg(const DrawingGraph& graph, const std::vector<View>& views,
+                                 const RunContext& context) {
+  return MapItems(context, "angles between views", graph.links.size(),
+                  [&](size_t l) { return TriAngleDeg(graph.links[l], views); });
+}
+
+void MeasureTriAngles(const std::vector<View>& views, const RunContext& context,
+                      DrawingGraph* graph) {
+  const std::vector<double> angles_deg = TriAnglesDeg(*graph, views, context);
+  for (size_t l = 0; l < graph->links.size(); ++l) graph->links[l].tri_angle_deg = angles_deg[l];
 }
 
 }  // namespace limn

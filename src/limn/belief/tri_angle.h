@@ -4,17 +4,24 @@
 
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
+#include "limn/util/parallel.h"
 
 namespace limn {
 
 // The angle by which the supporting views measure the depth of a link, deg: the largest one, up to
 // 90, between the planes of two of them. The plane of a view holds its center and the curve's
 // tangent, so that motion of the camera along an edge adds nothing; two views on opposite sides
-// have the same plane. Median over up to 9 points. -1, unknown, with fewer than two views: such links
-// are held by their nodes (algorithm/belief.md#depth). Time: 9 times the square of the number of supporting views.
+// have the same plane. Median over up to 9 points. -1, unknown, with fewer than two views: such
+// links are held by their nodes (algorithm/belief.md#depth). Time: 9 times the square of the number
+// of supporting views.
 double TriAngleDeg(const DrawingLink& link, const std::vector<View>& views);
 
+// Of all links.
+std::vector<double> TriAnglesDeg(const DrawingGraph& graph, const std::vector<View>& views,
+                                 const RunContext& context);
+
 // Sets it for all links.
-void MeasureTriAngles(const std::vector<View>& views, DrawingGraph* graph);
+void MeasureTriAngles(const std::vector<View>& views, const RunContext& context,
+                      DrawingGraph* graph);
 
 }  // namespace limn

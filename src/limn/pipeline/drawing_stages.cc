@@ -54,7 +54,7 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const PipelineOptions& options, const RunContext& context,
                            const StageObserver& on_stage_end) {
   if (options.IsPaper()) return graph;
-  MeasureTriAngles(views, &graph);
+  MeasureTriAngles(views, context, &graph);
   PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
   on_stage_end(primitives.summary);
   graph = std::move(primitives.graph);

@@ -8,9 +8,7 @@
 #include "limn/edges/given_edgels.h"
 #include "limn/model/usable_edgels.h"
 #include "limn/pipeline/pipeline_options.h"
-#include "limn/support/still_edgels.h"
 #include "limn/util/errors.h"
-#include "limn/util/sort_unique.h"
 
 namespace limn {
 namespace {
@@ -108,7 +106,6 @@ struct ViewCounts {
   int64_t in_texture = 0;
   int64_t not_linked = 0;   // nor in a link of the link graph
   int64_t not_grouped = 0;  // linked, but in no fragment that is long enough
-  int64_t still = 0;
   int64_t outside_lens = 0;
   int64_t in_fragments = 0;
   int64_t fragments = 0;
@@ -139,22 +136,6 @@ ViewCounts CountLinked(const ImageCurves& curves) {
   return counts;
 }
 
-// Applies the lens, and takes out what it cannot map and what stands still.
-ViewCounts TakeUsable(const std::vector<bool>& is_still, const LensMap* lens, ImageCurves* curves) {
-  ViewCounts counts = CountLinked(*curves);
-  const int64_t in_fragments = CountEdgelsInFragments(*curves);
-  std::vector<bool> usable = ApplyLens(lens, &curves->edge_map);
-  for (size_t id = 0; id < usable.size(); ++id) {
-    counts.still += is_still[id];
-    if (is_still[id]) usable[id] = false;
-  }
-  RemoveUnusableEdgels(usable, curves);
-  counts.in_fragments = CountEdgelsInFragments(*curves);
-  counts.outside_lens = in_fragments - counts.still - counts.in_fragments;
-  counts.fragments = static_cast<int64_t>(curves->fragments.size());
-  return counts;
-}
-
 StageSummary Summarize(const std::vector<ViewCounts>& views) {
   ViewCounts sum;
   for (const ViewCounts& view : views) {
@@ -162,7 +143,6 @@ StageSummary Summarize(const std::vector<ViewCounts>& views) {
     sum.in_texture += view.in_texture;
     sum.not_linked += view.not_linked;
     sum.not_grouped += view.not_grouped;
-    sum.still += view.still;
     sum.outside_lens += view.outside_lens;
     sum.in_fragments += view.in_fragments;
     sum.fragments += view.fragments;
@@ -174,7 +154,6 @@ StageSummary Summarize(const std::vector<ViewCounts>& views) {
   summary.dropped = {{"edgels: in dense texture", sum.in_texture},
                      {"edgels: not linked to a neighbor", sum.not_linked},
                      {"edgels: fragment too short", sum.not_grouped},
-                     {"edgels: at the same place in most images", sum.still},
                      {"edgels: outside the lens model", sum.outside_lens}};
   return summary;
 }
@@ -207,28 +186,24 @@ CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOpti
   linking.Check();
   Extractor extractor(input, edges);
   const std::vector<ViewId> ids = IdsOf(input.only, input.views.size());
-  // All that shards compare with is the same.
-  std::vector<ViewId> compared = StillEdgels::ViewsToCompare(input.views);
-  compared.insert(compared.end(), ids.begin(), ids.end());
-  SortUnique(&compared);
-  input.cache->Expect(CachedKind::kFragments, compared.size());
+  input.cache->Expect(CachedKind::kFragments, ids.size());
   CurvesResult result;
   result.curves.resize(input.views.size());
-  ParallelFor(context, "image curves", compared.size(), [&](size_t i) {
-    result.curves[compared[i]] = extractor.FragmentsOf(compared[i], linking);
-  });
-  if (input.images.release) input.images.release();
-  const StillEdgels still(input.views, result.curves, context);
   std::vector<ViewCounts> counts(ids.size());
-  ParallelFor(context, "lenses", ids.size(), [&](size_t i) {
+  ParallelFor(context, "image curves", ids.size(), [&](size_t i) {
     const ViewId v = ids[i];
     ImageCurves& curves = result.curves[v];
+    curves = extractor.FragmentsOf(v, linking);
     if (input.on_fragments) input.on_fragments(v, curves);
-    counts[i] = TakeUsable(still.In(v, curves), input.views[v].lens.get(), &curves);
+    ViewCounts& of_view = counts[i];
+    of_view = CountLinked(curves);
+    RemoveUnusableEdgels(ApplyLens(input.views[v].lens.get(), &curves.edge_map), &curves);
+    of_view.in_fragments = CountEdgelsInFragments(curves);
+    of_view.outside_lens =
+        of_view.edgels - of_view.not_linked - of_view.not_grouped - of_view.in_fragments;
+    of_view.fragments = static_cast<int64_t>(curves.fragments.size());
   });
-  for (const ViewId v : compared) {
-    if (!std::ranges::binary_search(ids, v)) result.curves[v] = {};
-  }
+  if (input.images.release) input.images.release();
   result.summary = Summarize(counts);
   return result;
 }

@@ -70,7 +70,7 @@ StageSummary RefitEdited(const CurvesScene& scene, const std::function<Image(Vie
   WarnOfGaps(refit.shown, edited);
   edited->graph =
       RefitPrimitives(refit.graph, edited->touched, scene.views, options.primitives, context);
-  MeasureTriAngles(scene.views, &edited->graph);
+  MeasureTriAngles(scene.views, context, &edited->graph);
   TellKinds(scene.views, read_image, context, edited);
   SnapDimensions(scene.views, edited);
   StageSummary summary;

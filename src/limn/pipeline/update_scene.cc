@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "limn/belief/tri_angle.h"
 #include "limn/cache/curves_key.h"
 #include "limn/cache/view_sketch_file.h"
 #include "limn/geometry/polyline.h"
@@ -415,6 +416,7 @@ class SceneUpdater {
   DrawingGraph DescribeChanged(DrawingGraph graph) const {
     std::vector<uint8_t> changed;
     for (const DrawingLink& link : graph.links) changed.push_back(!link.primitive);
+    MeasureTriAngles(input_.views, context_, &graph);
     graph = RefitPrimitives(graph, changed, input_.views, options_.primitives, context_);
     if (!input_.images.read) return graph;
     // Light variation and sharpness are measured on all links.

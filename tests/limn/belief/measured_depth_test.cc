@@ -54,6 +54,14 @@ TEST(MeasuredDepthTest, RunsHaveTwoEnds) {
   EXPECT_EQ(DoubtedInRow({kFew, kFew, kFew}, {0, 1}), (std::vector<bool>{false, true, true}));
 }
 
+TEST(MeasuredDepthTest, ALoopHasOneEnd) {
+  DrawingGraph graph =
+      GraphOf({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 1}}});
+  DoubtUnmeasuredDepth({kFew, kMany}, 2, &graph);
+  EXPECT_EQ(graph.links[0].doubt, LinkDoubt::kDepth);
+  EXPECT_EQ(graph.links[1].doubt, LinkDoubt::kNone);
+}
+
 TEST(MeasuredDepthTest, DoubtedLinksMeasureNothing) {
   EXPECT_EQ(DoubtedInRow({kFew}, {0, 1}, LinkDoubt::kChance), (std::vector<bool>{true}));
 }

@@ -21,7 +21,7 @@ double AngleOfLine(const std::vector<Eigen::Vector3d>& centers) {
   std::iota(all.begin(), all.end(), 0);
   DrawingGraph graph;
   DrawLink({{0, -1, 0}, {0, 0, 0}, {0, 1, 0}}, all, &graph);
-  MeasureTriAngles(views, &graph);
+  MeasureTriAngles(views, {}, &graph);
   EXPECT_EQ(graph.links[0].tri_angle_deg, TriAngleDeg(graph.links[0], views));
   return graph.links[0].tri_angle_deg;
 }
