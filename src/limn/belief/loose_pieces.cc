@@ -7,7 +7,7 @@ namespace {
 
 // Of a loose piece, px, and the evidence with which one of its links holds it.
 constexpr double kLoosePx = 60;
-constexpr double kHoldingEvidence = 15;
+constexpr double kHoldingEvidence = 11;
 
 struct Piece {
   double length_px = 0;

@@ -28,7 +28,7 @@ struct Pieces {
 Pieces PairAndOne() {
   return {GraphOf({{{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {1, 1, 0}}, {{5, 0, 0}, {6, 0, 0}}}),
           {30, 29, 59},
-          {14, 14, 14}};
+          {10, 10, 10}};
 }
 
 TEST(LoosePiecesTest, WhatIsShortTogetherIsDoubted) {
@@ -43,7 +43,7 @@ TEST(LoosePiecesTest, LongerPiecesAreNot) {
 
 TEST(LoosePiecesTest, OneSureLinkHoldsItsPiece) {
   Pieces pieces = PairAndOne();
-  pieces.evidence[1] = 15;
+  pieces.evidence[1] = 11;
   EXPECT_EQ(pieces.Doubted(), (std::vector<bool>{false, false, true}));
 }
 
@@ -56,7 +56,7 @@ TEST(LoosePiecesTest, AClosedLinkHoldsItsPiece) {
 TEST(LoosePiecesTest, DoubtedLinksHoldNothing) {
   Pieces pieces = PairAndOne();
   pieces.length_px = {100, 29, 59};
-  pieces.evidence = {50, 14, 14};
+  pieces.evidence = {50, 10, 10};
   pieces.graph.links[0].doubt = LinkDoubt::kSeenThrough;
   EXPECT_EQ(pieces.Doubted(), (std::vector<bool>{false, true, true}));
 }
