@@ -270,7 +270,7 @@ void BindLink(py::module_* module) {
           "residual_px", [](const Link& link) { return link.Get().residual_px; },
           "Median distance from the edges of the images, px.")
       .def_property_readonly(
-          "tri_angle", [](const Link& link) { return link.Get().tri_angle_deg; },
+          "tri_angle_deg", [](const Link& link) { return link.Get().tri_angle_deg; },
           "Angle by which its views measure its depth, 0 to 90 degrees; -1 if unknown.")
       .def_property_readonly("primitive", PrimitiveOf, "The simplest curve that explains it.")
       .def_property_readonly(

@@ -577,6 +577,9 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
                                      "belief", "rods", "primitives", "kinds of edges"));
   EXPECT_EQ(report.at("options_changed").at("Drawing.min_link_length_px"), 7.5);
   const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;
+  for (const DrawingLink& link : graph.links) {
+    EXPECT_EQ(link.tri_angle_deg >= 0, link.supporting_views.size() >= 2);
+  }
   int num_links = 0;
   for (const int count : report.at("support_histogram")) num_links += count;
   EXPECT_EQ(num_links, static_cast<int>(graph.links.size()));

@@ -103,6 +103,7 @@ Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const 
   CheckSize(photo, view.camera.width, view.camera.height, view.name);
   Canvas canvas = MakeCanvas(photo, options);
   const std::vector<LinkId> curves = CurvesOf(graph);
+  const int scale = Scale(options, photo.width, photo.height);
   std::vector<double> clear_px(graph.links.size(), 0);  // of the picture
   for (const bool clear : {false, true}) {
     for (size_t id = 0; id < graph.links.size(); ++id) {
@@ -111,7 +112,7 @@ Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const 
       const Color color = ColorOfCurve(curves[id]);
       const double length = DrawPolyline(view, link.points_in_world, clear ? color : Faded(color),
                                          clear ? options.line_width_px : 1, &canvas);
-      if (clear) clear_px[id] = length * Scale(options, photo.width, photo.height);
+      if (clear) clear_px[id] = length * scale;
     }
   }
   for (const DrawingNode& node : graph.nodes) {

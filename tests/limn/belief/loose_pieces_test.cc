@@ -18,8 +18,9 @@ struct Pieces {
     DrawingGraph judged = graph;
     DoubtLoosePieces(length_px, evidence, &judged);
     std::vector<bool> doubted;
-    for (const DrawingLink& link : judged.links)
+    for (const DrawingLink& link : judged.links) {
       doubted.push_back(link.doubt == LinkDoubt::kChance);
+    }
     return doubted;
   }
 };

@@ -1,5 +1,7 @@
 #include "limn/pictures/overlays.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 

@@ -77,7 +77,7 @@ function trust({ images, explained, agree_less: less, many_views: many, ...share
       isKnown(shares.tentative) ? percent(shares.tentative) : null,
     ],
     [
-      'Length found of which no two images measured the depth',
+      'Length found whose depth was not measured',
       isKnown(shares.unmeasured) ? percent(shares.unmeasured) : null,
     ],
   ]);
