@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "limn/kinds/cast_shadows.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -22,14 +23,17 @@ constexpr double kSoftOffset = -1.94;
 constexpr double kMaxShadowChroma = 0.3;
 // A shadow's ratio of light is nearly the same at neighboring places; that of soft texture is not.
 constexpr double kMaxShadowUnevenness = 0.1;
-// The light of the scene changes if sides of links differ by this between views; then a link whose
-// sides do not is seen in one light only.
-constexpr double kChangingLight = 0.15;
+// A cast shadow, but for gaps of what casts it.
+constexpr double kMinShareBehind = 0.6;
+// The light of the scene changes if sides of links differ by this between views that are exposed
+// alike; then a link whose sides do not differ in the views as they are is seen in one light only.
+constexpr double kChangingLight = 0.09;
 constexpr double kOneLightShare = 0.3;
 constexpr int kMinViewsOfOneLight = 3;
 // What is soft, and seen in several lights with one ratio, is paint: light changes the ratio of
 // the sides of a rounded crease as much as the sides.
 constexpr double kSteadyRatioShare = 0.5;
+constexpr double kMinLightOnPaint = 0.15;
 // Paint: the color changes, by the same in all views.
 constexpr double kPaintPerChroma = 5.4;
 constexpr double kPaintPerLogSpread = -1.1;
@@ -39,15 +43,15 @@ constexpr double kMinSpread = 0.02;
 double Logistic(double x) { return 1 / (1 + std::exp(-x)); }
 
 // Of a link whose sides have one hue: nothing if it is sharp and no shadow.
-std::optional<KindOfLink> ClassifyByLight(const KindEvidence& evidence, double light_variation) {
+std::optional<KindOfLink> ClassifyByLight(const KindEvidence& evidence, const SceneLight& light) {
   const bool is_soft = evidence.blur_ratio > kSoftRatio;
-  if (light_variation > kChangingLight) {
+  if (light.change > kChangingLight) {
     const auto [steadier, other] = std::minmax(evidence.darker_spread, evidence.brighter_spread);
-    if (evidence.num_views >= kMinViewsOfOneLight && other < kOneLightShare * light_variation) {
-      return KindOfLink{LinkKind::kShadow, 1 - other / light_variation};
+    if (evidence.num_views >= kMinViewsOfOneLight && other < kOneLightShare * light.variation) {
+      return KindOfLink{LinkKind::kShadow, 1 - other / light.variation};
     }
     const double ratio_share = evidence.change_spread / std::max(steadier, kMinSpread);
-    if (is_soft && steadier > kChangingLight && ratio_share < kSteadyRatioShare) {
+    if (is_soft && steadier > kMinLightOnPaint && ratio_share < kSteadyRatioShare) {
       return KindOfLink{LinkKind::kPaint, 1 - ratio_share};
     }
   } else if (is_soft && evidence.unevenness < kMaxShadowUnevenness) {
@@ -73,19 +77,22 @@ StageSummary Summarize(const DrawingGraph& graph) {
 
 }  // namespace
 
-double LightVariation(const std::vector<KindEvidence>& links) {
-  std::vector<double> steadier;
+SceneLight LightOf(const std::vector<KindEvidence>& links) {
+  std::vector<double> variations;
+  std::vector<double> changes;
   for (const KindEvidence& link : links) {
     if (link.num_views < kMinViewsOfOneLight) continue;
-    steadier.push_back(std::min(link.darker_spread, link.brighter_spread));
+    variations.push_back(std::min(link.darker_spread, link.brighter_spread));
+    changes.push_back(link.steadier_spread_exposed);
   }
-  return Median(std::move(steadier));
+  return {Median(std::move(variations)), Median(std::move(changes))};
 }
 
-KindOfLink Classify(const KindEvidence& evidence, double light_variation) {
+KindOfLink Classify(const KindEvidence& evidence, const SceneLight& light) {
   if (evidence.num_profiles < kMinProfiles) return {};
   if (evidence.chroma_change < kMaxShadowChroma) {
-    if (auto kind = ClassifyByLight(evidence, light_variation)) return *kind;
+    if (evidence.share_behind > kMinShareBehind) return {LinkKind::kShadow, evidence.share_behind};
+    if (auto kind = ClassifyByLight(evidence, light)) return *kind;
   }
   const double paint = Logistic(
       kPaintPerChroma * evidence.chroma_change +
@@ -102,13 +109,15 @@ KindsResult ClassifyKinds(const KindsInput& input, const RunContext& context) {
     profiles[v] =
         MeasureProfiles(input.views[v], input.read_image(static_cast<ViewId>(v)), plan, links);
   });
-  const std::vector<KindEvidence> evidence = GatherEvidence(input.graph.links.size(), profiles);
-  const double light_variation = LightVariation(evidence);
+  std::vector<KindEvidence> evidence = GatherEvidence(input.graph.links.size(), profiles);
+  const std::vector<double> shares_behind = SharesBehind(input.graph, input.views, context);
+  for (size_t l = 0; l < evidence.size(); ++l) evidence[l].share_behind = shares_behind[l];
+  const SceneLight light = LightOf(evidence);
   KindsResult result = {input.graph, {}};
   for (size_t l = 0; l < evidence.size(); ++l) {
     DrawingLink& link = result.graph.links[l];
     if (!link.IsAlongEdgels()) continue;
-    const KindOfLink kind = Classify(evidence[l], light_variation);
+    const KindOfLink kind = Classify(evidence[l], light);
     link.kind = kind.kind;
     link.kind_confidence = kind.confidence;
   }

@@ -17,12 +17,17 @@ struct KindOfLink {
   double confidence = 0;
 };
 
-// How much the light of the scene changes between views: the median over the links of the spread of
-// their steadier side.
-double LightVariation(const std::vector<KindEvidence>& links);
+// How much views differ in the colors they show: medians over the links of the spread of their
+// steadier side, in the views as they are, and without what exposure and white balance explain.
+struct SceneLight {
+  double variation = 0;
+  double change = 0;
+};
+
+SceneLight LightOf(const std::vector<KindEvidence>& links);
 
 // Edge, paint or shadow (algorithm/kinds.md#classes); unknown without enough profiles.
-KindOfLink Classify(const KindEvidence& evidence, double light_variation);
+KindOfLink Classify(const KindEvidence& evidence, const SceneLight& light);
 
 struct KindsInput {
   const std::vector<View>& views;

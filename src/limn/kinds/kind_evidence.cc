@@ -113,6 +113,43 @@ class SharpWidths {
   std::vector<float> widths_;
 };
 
+// Exposure and white balance of each view, as logarithms: how much brighter it shows what other
+// views show, too, the median over the links.
+std::vector<LogColor> ExposuresOf(size_t num_links,
+                                  const std::vector<std::vector<LinkProfile>>& profiles_of_view) {
+  struct Shown {
+    size_t view = 0;
+    LogColor color = {};  // mean of both sides
+  };
+  std::vector<std::vector<Shown>> shown(num_links);
+  for (size_t v = 0; v < profiles_of_view.size(); ++v) {
+    for (const LinkProfile& profile : profiles_of_view[v]) {
+      const LogColor left = LogOf(profile.profile.left);
+      const LogColor right = LogOf(profile.profile.right);
+      LogColor mean;
+      for (int c = 0; c < 3; ++c) mean[c] = (left[c] + right[c]) / 2;
+      shown[profile.link].push_back({v, mean});
+    }
+  }
+  std::vector<std::vector<LogColor>> brighter(profiles_of_view.size());
+  for (const std::vector<Shown>& link : shown) {
+    if (link.empty()) continue;
+    std::vector<LogColor> colors;
+    for (const Shown& one : link) colors.push_back(one.color);
+    const LogColor middle = MedianOf(colors);
+    for (const Shown& one : link) {
+      LogColor difference;
+      for (int c = 0; c < 3; ++c) difference[c] = one.color[c] - middle[c];
+      brighter[one.view].push_back(difference);
+    }
+  }
+  std::vector<LogColor> exposures(profiles_of_view.size(), LogColor{});
+  for (size_t v = 0; v < brighter.size(); ++v) {
+    if (!brighter[v].empty()) exposures[v] = MedianOf(brighter[v]);
+  }
+  return exposures;
+}
+
 // Gathers the profiles of one link, view by view.
 class Gatherer {
  public:
@@ -139,8 +176,9 @@ class Gatherer {
     changes_of_place_[place].push_back(std::abs(change_of_all) / 3);
   }
 
-  void EndView() {
+  void EndView(const LogColor& exposure) {
     if (here_.change.empty()) return;
+    exposures_.push_back(exposure);
     views_.change.push_back(MedianOf(here_.change));
     views_.darker.push_back(MedianOf(here_.darker));
     views_.brighter.push_back(MedianOf(here_.brighter));
@@ -160,6 +198,8 @@ class Gatherer {
     evidence.change_spread = SpreadOf(views_.change);
     evidence.darker_spread = SpreadOf(views_.darker);
     evidence.brighter_spread = SpreadOf(views_.brighter);
+    evidence.steadier_spread_exposed =
+        std::min(SpreadOf(Exposed(views_.darker)), SpreadOf(Exposed(views_.brighter)));
     return evidence;
   }
 
@@ -169,8 +209,17 @@ class Gatherer {
     std::vector<LogColor> darker;
     std::vector<LogColor> brighter;
   };
-  Sides here_;   // per profile of this view
-  Sides views_;  // per view
+  // Colors of the views as with the same exposure.
+  std::vector<LogColor> Exposed(std::vector<LogColor> colors) const {
+    for (size_t v = 0; v < colors.size(); ++v) {
+      for (int c = 0; c < 3; ++c) colors[v][c] -= exposures_[v][c];
+    }
+    return colors;
+  }
+
+  Sides here_;                       // per profile of this view
+  Sides views_;                      // per view
+  std::vector<LogColor> exposures_;  // per view
   std::vector<LogColor> chroma_;
   std::vector<float> ratios_;
   std::vector<std::vector<float>> changes_of_place_;
@@ -180,14 +229,16 @@ class Gatherer {
 
 std::vector<KindEvidence> GatherEvidence(
     size_t num_links, const std::vector<std::vector<LinkProfile>>& profiles_of_view) {
+  const std::vector<LogColor> exposures = ExposuresOf(num_links, profiles_of_view);
   std::vector<Gatherer> gatherers(num_links);
-  for (const std::vector<LinkProfile>& profiles : profiles_of_view) {
+  for (size_t v = 0; v < profiles_of_view.size(); ++v) {
+    const std::vector<LinkProfile>& profiles = profiles_of_view[v];
     const SharpWidths sharp(profiles);
     for (size_t k = 0; k < profiles.size(); ++k) {
       const LinkProfile& profile = profiles[k];
       gatherers[profile.link].Add(profile, sharp.At(profile.depth));
       if (k + 1 == profiles.size() || profiles[k + 1].link != profile.link) {
-        gatherers[profile.link].EndView();
+        gatherers[profile.link].EndView(exposures[v]);
       }
     }
   }

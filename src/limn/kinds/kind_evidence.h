@@ -21,9 +21,13 @@ struct KindEvidence {
   double change_spread = 0;
   double darker_spread = 0;
   double brighter_spread = 0;
+  // That of the side that differs less, once all views are exposed and balanced alike.
+  double steadier_spread_exposed = 0;
   // How much the change differs between neighboring places on the link: the median, of medians over
   // the views. Infinite with profiles at fewer than four places.
   double unevenness = std::numeric_limits<double>::infinity();
+  // Share of its length behind other links, as a light of the scene sees it (SharesBehind).
+  double share_behind = 0;
 };
 
 // Per link, from the profiles of every view. Linear time, apart from the medians.

@@ -218,6 +218,10 @@ TEST(ClassifyKindsTest, SummaryCountsEveryLinkOnce) {
   EXPECT_EQ(sum, 3);
 }
 
+// Variation between views, and what of it exposure does not explain.
+constexpr SceneLight kSteady = {0.04, 0.04};
+constexpr SceneLight kChanging = {0.4, 0.2};
+
 KindEvidence Sharp(double chroma_change, double change_spread) {
   KindEvidence evidence;
   evidence.num_profiles = 50;
@@ -230,22 +234,22 @@ KindEvidence Sharp(double chroma_change, double change_spread) {
 }
 
 TEST(ClassifyTest, EvidenceDecides) {
-  EXPECT_EQ(Classify(Sharp(0.8, 0.04), 0).kind, LinkKind::kPaint);
-  EXPECT_EQ(Classify(Sharp(0.1, 0.04), 0).kind, LinkKind::kEdge);
+  EXPECT_EQ(Classify(Sharp(0.8, 0.04), kSteady).kind, LinkKind::kPaint);
+  EXPECT_EQ(Classify(Sharp(0.1, 0.04), kSteady).kind, LinkKind::kEdge);
   // A background that changes shows that the surface ends.
-  EXPECT_EQ(Classify(Sharp(0.5, 0.6), 0).kind, LinkKind::kEdge);
+  EXPECT_EQ(Classify(Sharp(0.5, 0.6), kSteady).kind, LinkKind::kEdge);
   KindEvidence soft = Sharp(0.1, 0.04);
   soft.blur_ratio = 2;
-  EXPECT_EQ(Classify(soft, 0).kind, LinkKind::kShadow);
-  EXPECT_GT(Classify(soft, 0).confidence, 0.9);
+  EXPECT_EQ(Classify(soft, kSteady).kind, LinkKind::kShadow);
+  EXPECT_GT(Classify(soft, kSteady).confidence, 0.9);
   // Paint that is out of focus is no shadow.
   soft.chroma_change = 0.8;
-  EXPECT_NE(Classify(soft, 0).kind, LinkKind::kShadow);
+  EXPECT_NE(Classify(soft, kSteady).kind, LinkKind::kShadow);
   // Two profiles tell nothing.
   KindEvidence few = Sharp(0.8, 0.04);
   few.num_profiles = 2;
-  EXPECT_EQ(Classify(few, 0).kind, LinkKind::kUnknown);
-  EXPECT_EQ(Classify(few, 0).confidence, 0);
+  EXPECT_EQ(Classify(few, kSteady).kind, LinkKind::kUnknown);
+  EXPECT_EQ(Classify(few, kSteady).confidence, 0);
 }
 
 KindEvidence Soft(double change_spread, double side_spread) {
@@ -258,40 +262,64 @@ KindEvidence Soft(double change_spread, double side_spread) {
 TEST(ClassifyTest, SoftTextureIsNoShadow) {
   KindEvidence texture = Soft(0.04, 0.04);
   texture.unevenness = 0.3;
-  EXPECT_EQ(Classify(texture, 0).kind, LinkKind::kUnknown);
-  EXPECT_EQ(Classify(texture, 0).confidence, 0);
+  EXPECT_EQ(Classify(texture, kSteady).kind, LinkKind::kUnknown);
+  EXPECT_EQ(Classify(texture, kSteady).confidence, 0);
   texture.unevenness = std::numeric_limits<double>::infinity();  // too short to tell
-  EXPECT_EQ(Classify(texture, 0).kind, LinkKind::kUnknown);
+  EXPECT_EQ(Classify(texture, kSteady).kind, LinkKind::kUnknown);
 }
 
 TEST(ClassifyTest, WhatSeveralLightsShowIsNoShadow) {
   // Light scales both sides of paint alike.
-  EXPECT_EQ(Classify(Soft(0.05, 0.4), 0.4).kind, LinkKind::kPaint);
-  EXPECT_GT(Classify(Soft(0.05, 0.4), 0.4).confidence, 0.8);
+  EXPECT_EQ(Classify(Soft(0.05, 0.4), kChanging).kind, LinkKind::kPaint);
+  EXPECT_GT(Classify(Soft(0.05, 0.4), kChanging).confidence, 0.8);
   // That of a rounded crease changes with the light.
-  EXPECT_EQ(Classify(Soft(0.4, 0.4), 0.4).kind, LinkKind::kUnknown);
-  EXPECT_EQ(Classify(Soft(0.03, 0.05), 0.4).kind, LinkKind::kShadow);
+  EXPECT_EQ(Classify(Soft(0.4, 0.4), kChanging).kind, LinkKind::kUnknown);
+  EXPECT_EQ(Classify(Soft(0.03, 0.05), kChanging).kind, LinkKind::kShadow);
   // Steady only for want of views.
   KindEvidence few = Soft(0.03, 0.05);
   few.num_views = 2;
-  EXPECT_EQ(Classify(few, 0.4).kind, LinkKind::kUnknown);
+  EXPECT_EQ(Classify(few, kChanging).kind, LinkKind::kUnknown);
 }
 
 TEST(ClassifyTest, OnlyLightThatChangesTellsSharpShadows) {
-  EXPECT_EQ(Classify(Sharp(0.1, 0.03), 0.4).kind, LinkKind::kShadow);
-  EXPECT_EQ(Classify(Sharp(0.1, 0.03), 0.04).kind, LinkKind::kEdge);
-  EXPECT_EQ(Classify(Sharp(0.1, 0.3), 0.4).kind, LinkKind::kEdge);
-  EXPECT_EQ(Classify(Sharp(0.8, 0.03), 0.4).kind, LinkKind::kPaint);
+  EXPECT_EQ(Classify(Sharp(0.1, 0.03), kChanging).kind, LinkKind::kShadow);
+  EXPECT_EQ(Classify(Sharp(0.1, 0.03), kSteady).kind, LinkKind::kEdge);
+  EXPECT_EQ(Classify(Sharp(0.1, 0.3), kChanging).kind, LinkKind::kEdge);
+  EXPECT_EQ(Classify(Sharp(0.8, 0.03), kChanging).kind, LinkKind::kPaint);
 }
 
-TEST(LightVariationTest, IsThatOfTheSteadierSideOfMostLinks) {
+TEST(ClassifyTest, ExposureIsNoLightThatChanges) {
+  const SceneLight exposed = {0.4, 0.04};
+  EXPECT_EQ(Classify(Sharp(0.1, 0.03), exposed).kind, LinkKind::kEdge);
+  EXPECT_EQ(Classify(Soft(0.05, 0.4), exposed).kind, LinkKind::kShadow);
+}
+
+TEST(ClassifyTest, WhatALightOfTheSceneDoesNotSeeIsShadow) {
+  KindEvidence cast = Sharp(0.1, 0.04);
+  cast.share_behind = 0.8;
+  EXPECT_EQ(Classify(cast, kSteady).kind, LinkKind::kShadow);
+  EXPECT_EQ(Classify(cast, kSteady).confidence, 0.8);
+  cast.share_behind = 0.5;
+  EXPECT_EQ(Classify(cast, kSteady).kind, LinkKind::kEdge);
+  // Light changes no color.
+  cast = Sharp(0.8, 0.04);
+  cast.share_behind = 0.8;
+  EXPECT_EQ(Classify(cast, kSteady).kind, LinkKind::kPaint);
+}
+
+TEST(LightOfTest, IsThatOfTheSteadierSideOfMostLinks) {
   std::vector<KindEvidence> links(5, Sharp(0, 0.5));
-  for (KindEvidence& link : links) link.darker_spread = 0.02;  // backgrounds change
-  EXPECT_NEAR(LightVariation(links), 0.02, 1e-12);
+  for (KindEvidence& link : links) {
+    link.darker_spread = 0.02;  // backgrounds change
+    link.steadier_spread_exposed = 0.01;
+  }
+  EXPECT_NEAR(LightOf(links).variation, 0.02, 1e-12);
+  EXPECT_NEAR(LightOf(links).change, 0.01, 1e-12);
   for (KindEvidence& link : links) link.darker_spread = 0.4;
-  EXPECT_NEAR(LightVariation(links), 0.4, 1e-12);
+  EXPECT_NEAR(LightOf(links).variation, 0.4, 1e-12);
   for (KindEvidence& link : links) link.num_views = 2;
-  EXPECT_EQ(LightVariation(links), 0);
+  EXPECT_EQ(LightOf(links).variation, 0);
+  EXPECT_EQ(LightOf(links).change, 0);
 }
 
 }  // namespace

@@ -81,6 +81,29 @@ TEST(KindEvidenceTest, SpreadsAreThoseOfTheSidesBetweenViews) {
   EXPECT_NEAR(link.change_spread, link.brighter_spread, 1e-6);
 }
 
+TEST(KindEvidenceTest, ExposureOfAViewIsWhatItShowsOfAllLinks) {
+  // Views are exposed differently; of the last link both sides change with the light besides.
+  std::vector<std::vector<LinkProfile>> views;
+  constexpr double kExposures[] = {1, 0.25, 0.7, 0.5, 0.35};
+  constexpr double kLights[] = {1, 0.5, 0.7, 0.2, 0.4};
+  for (int v = 0; v < 5; ++v) {
+    const double exposure = kExposures[v];
+    const auto gray = [&](double value) {
+      return ColorOf(exposure * value, exposure * value, exposure * value);
+    };
+    const double light = kLights[v];
+    views.push_back({ProfileOf(0, 1, gray(0.4), gray(0.2)), ProfileOf(1, 1, gray(0.6), gray(0.3)),
+                     ProfileOf(2, 1, gray(0.5), gray(0.1)),
+                     ProfileOf(3, 1, gray(0.4 * light), gray(0.2 * light))});
+  }
+  const std::vector<KindEvidence> links = GatherEvidence(4, views);
+  for (int l = 0; l < 3; ++l) {
+    EXPECT_GT(links[l].darker_spread, 0.3) << l;
+    EXPECT_NEAR(links[l].steadier_spread_exposed, 0, 0.02) << l;
+  }
+  EXPECT_GT(links[3].steadier_spread_exposed, 0.25);
+}
+
 TEST(KindEvidenceTest, SidesAreTakenByBrightnessInEachView) {
   const std::vector<KindEvidence> links =
       GatherEvidence(1, {{ProfileOf(0, 1, kGray, kHalf)}, {ProfileOf(0, 1, kHalf, kGray)}});

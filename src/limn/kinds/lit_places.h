@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+#include "limn/util/parallel.h"
+
+namespace limn {
+
+// A place on a believed link, and the surface it lies on.
+struct LitPlace {
+  LinkId link = -1;
+  Eigen::Vector3d position_in_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d tangent = Eigen::Vector3d::Zero();
+  double footprint = 0;
+  // Of the plane through the places around it, on the side of the views; zero if they are too few
+  // or on a line.
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  // Most places around it lie on that plane.
+  bool on_plane = false;
+};
+
+// Places every 6 px along the believed links, by link. n log n in their number.
+std::vector<LitPlace> PlacesOfLinks(const DrawingGraph& graph, const std::vector<View>& views,
+                                    const RunContext& context);
+
+}  // namespace limn
