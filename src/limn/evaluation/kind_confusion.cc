@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::array<LinkKind, kNumLinkKinds> kOrder = {LinkKind::kEdge,   LinkKind::kPaint,
                                                         LinkKind::kShadow, LinkKind::kContour,
-                                                        LinkKind::kRod,    LinkKind::kUnknown};
+                                                        LinkKind::kRod,    LinkKind::kTexture,
+                                                        LinkKind::kUnknown};
 
 class NearestKind {
  public:

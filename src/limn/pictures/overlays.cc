@@ -120,8 +120,8 @@ Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const 
     for (const LinkEnd& end : node.incident) {
       longest_px = std::max(longest_px, clear_px[end.link]);
     }
-    if (longest_px == 0) continue;
-    DrawNode(view, node, std::min(options.node_radius_px, kMarkShare * longest_px), &canvas);
+    const double radius_px = std::min(options.node_radius_px, kMarkShare * longest_px);
+    if (radius_px > 0) DrawNode(view, node, radius_px, &canvas);
   }
   return canvas.picture();
 }

@@ -113,14 +113,16 @@ TEST(DrawOverlay, UnsupportedLinksAreFadedAndTheirNodesUnmarked) {
   EXPECT_FALSE(IsColor(picture.At(20, 60), {255, 230, 0}));
 }
 
-TEST(DrawOverlay, TentativeLinksAndContoursAreFadedAndTheirNodesUnmarked) {
+TEST(DrawOverlay, TentativeLinksContoursAndTextureAreFadedAndTheirNodesUnmarked) {
   PictureOptions options;
   options.scale = 1;
   DrawingGraph tentative = HorizontalLink();
   tentative.links[0].tentative = true;
   DrawingGraph contour = HorizontalLink();
   contour.links[0].kind = LinkKind::kContour;
-  for (const DrawingGraph& graph : {tentative, contour}) {
+  DrawingGraph texture = HorizontalLink();
+  texture.links[0].kind = LinkKind::kTexture;
+  for (const DrawingGraph& graph : {tentative, contour, texture}) {
     const Picture picture = DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, graph, options);
     EXPECT_FALSE(IsColor(picture.At(50, 60), ColorOfCurve(0)));
     EXPECT_FALSE(IsColor(picture.At(50, 60), {55, 55, 55}));
@@ -145,6 +147,17 @@ TEST(DrawOverlay, MarksAreNotLargerThanTheirLinks) {
   };
   EXPECT_TRUE(is_marked(0.4));
   EXPECT_FALSE(is_marked(0.1));
+}
+
+TEST(DrawOverlay, MarksCanBeLeftOut) {
+  PictureOptions options;
+  options.scale = 1;
+  const auto end = [&] {
+    return DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, HorizontalLink(), options).At(20, 60);
+  };
+  EXPECT_TRUE(IsColor(end(), {255, 230, 0}));
+  options.node_radius_px = 0;
+  EXPECT_TRUE(IsColor(end(), ColorOfCurve(0)));
 }
 
 TEST(DrawOverlay, RodsAreSeenByTheirOutlines) {
