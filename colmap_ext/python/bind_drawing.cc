@@ -452,13 +452,12 @@ void BindDrawing(py::module_* module) {
       .def_property_readonly(
           "stages", [](const SceneDrawing& drawing) { return StagesOf(drawing.made.log); },
           "The stages that made it: counts in, kept and dropped, and seconds.")
-      .def(
-          "selected", SelectedLinks, py::arg("kinds") = "default", py::arg("tentative") = false,
-          py::arg("rods_as_outlines") = false, py::arg("detail") = "normal",
-          "The drawing with these links only; kinds as in drawing_exporter: names separated by "
-          "commas, 'all', or 'default' (all but outlines of smooth bodies and texture). Rods are "
-          "center lines, or their outlines. detail: 'coarse' for long curves only, 'normal', or "
-          "'all' for texture, too.")
+      .def("selected", SelectedLinks, py::arg("kinds") = "default", py::arg("tentative") = false,
+           py::arg("rods_as_outlines") = false, py::arg("detail") = "normal",
+           "The drawing with these links only; kinds as in drawing_exporter: names separated by "
+           "commas, 'all', or 'default' (all but outlines of smooth bodies and texture). Rods are "
+           "center lines, or their outlines. detail: 'coarse' for long curves only, 'normal', or "
+           "'all' for texture, too.")
       .def(
           "save",
           [](const Owner& drawing, const std::filesystem::path& path) {

@@ -53,14 +53,6 @@ LinkSelection WithDetail(LinkSelection selection, Detail detail) {
   return selection;
 }
 
-// What overlays show, faded as it may be: all but texture.
-LinkSelection Pictured() {
-  LinkSelection selection;
-  selection.kinds[static_cast<int>(LinkKind::kContour)] = true;
-  selection.tentative = true;
-  return selection;
-}
-
 // Share of the length by primitive, how far they are, and how much shorter they tell the drawing.
 void SayPrimitives(const DrawingGraph& graph, Console* console) {
   const PrimitiveStatistics primitives = Describe(graph);
@@ -261,11 +253,11 @@ void WriteDrawingResults(const Project& project, const DrawingInScene& drawing,
   WriteTracks(project.CurvesPath("tracks.txt"), drawing.graph,
               WithDetail(LinkSelection::AsSeen(), options.detail),
               InStoredImages(project.view_set(), drawing.views));
-  const DrawingGraph pictured = Selected(drawing.graph, WithDetail(Pictured(), options.detail));
   PictureOptions look;
+  look.detail = options.detail;
   if (!options.overlay_markers) look.node_radius_px = 0;
   WritePictures(project, "overlays", pictures, console->context(), [&](ViewId v) {
-    return DrawOverlay(project.images().read(v), drawing.views[v], v, pictured, look);
+    return DrawOverlay(project.images().read(v), drawing.views[v], v, drawing.graph, look);
   });
   SayPrimitives(drawing.graph, console);
   console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +

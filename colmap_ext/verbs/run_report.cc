@@ -166,10 +166,9 @@ void WritePageWithReport(const Project& project, const DrawingInScene& drawing,
     return;
   }
   // Truth files are in the model's coordinates.
-  const std::string report =
-      RunReportJson(project, options.run, Moved(drawing.graph, project.origin()),
-                    InImagePixels(Moved(drawing.views, project.origin())), trust, options.truth,
-                    *console);
+  const std::string report = RunReportJson(
+      project, options.run, Moved(drawing.graph, project.origin()),
+      InImagePixels(Moved(drawing.views, project.origin())), trust, options.truth, *console);
   ViewerOptions viewer;
   viewer.detail = options.results.detail;
   WriteViewerResult(project, options.run.layout.workspace_path, drawing, viewer, report,

@@ -574,8 +574,7 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
   }
   EXPECT_THAT(stages,
               ::testing::ElementsAre("image curves", "swept sketch", "drawing", "refinement",
-                                     "belief", "rods", "primitives", "kinds of edges",
-                                     "texture"));
+                                     "belief", "rods", "primitives", "kinds of edges", "texture"));
   EXPECT_EQ(report.at("options_changed").at("Drawing.min_link_length_px"), 7.5);
   const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;
   for (const DrawingLink& link : graph.links) {

@@ -25,8 +25,9 @@ namespace limn {
 //               "tri_angle_deg" where known (TriAngleDeg), "curve_px" where known (MeasureCurves),
 //               "kind": "edge"|"paint"|"shadow"|"contour"|"rod"|"texture"|"unknown",
 //               "kind_confidence" where known, of a rod "rod_radius", half its thickness,
-//               "tentative": true where it is, then "doubt": "few views"|"chance"|"seen through"|"explained by others"| "outline
-//               of a rod"|"depth not measured" where known, after drawing_fuser also "dense":
+//               "tentative": true where it is, then "doubt": "few views"|"chance"|"seen
+//               through"|"explained by others"| "outline of a rod"|"depth not measured" where
+//               known, after drawing_fuser also "dense":
 //               {"class": "surface"|"boundary"|"free"|"unknown", "added_share", "occluded_share",
 //               "behind_surface", "fold_deg" where known}, "primitive": {"type": "line", "start",
 //               "end"} or

@@ -1,7 +1,6 @@
 #include "limn/kinds/texture.h"
 
 #include <algorithm>
-#include <set>
 
 #include "limn/geometry/polyline.h"
 #include "limn/geometry/spatial_index.h"
@@ -12,42 +11,30 @@ namespace limn {
 namespace {
 
 // Limits were chosen: algorithm/kinds.md#texture. Shorter curves are short, px.
-constexpr double kShortCurvePx = 60;
-// What is looked at around the middle of a link, px.
-constexpr double kReachPx = 60;
-constexpr double kMinShortShare = 0.9;
-constexpr size_t kMinFreeEnds = 4;
-// A sign or a small thing by itself is one piece: what hangs together.
-constexpr size_t kMinPieces = 3;
+constexpr double kShortCurvePx = 75;
+// What is looked at around the middle of a link, px. Texture fills areas; small parts, such as
+// backs of books, have long edges not far away.
+constexpr double kReachPx = 120;
+constexpr double kMinShortShare = 0.8;
+// A sign by itself has fewer.
+constexpr size_t kMinFreeEnds = 16;
 // Between the places that stand for a link's length, px.
 constexpr double kStepPx = 4;
 
 bool IsBelieved(const DrawingLink& link) { return !link.tentative && link.IsAlongEdgels(); }
 
-bool IsShort(const DrawingLink& link) {
-  return link.curve_px > 0 && link.curve_px < kShortCurvePx;
-}
+bool IsShort(const DrawingLink& link) { return link.curve_px > 0 && link.curve_px < kShortCurvePx; }
 
-// Of believed links.
-struct FreeEnds {
-  std::vector<Eigen::Vector3d> positions;
-  std::vector<int> pieces;
-};
-
-FreeEnds FreeEndsOf(const DrawingGraph& graph) {
+std::vector<Eigen::Vector3d> FreeEnds(const DrawingGraph& graph) {
   std::vector<int> degree(graph.nodes.size(), 0);
-  UnionFind pieces(static_cast<int>(graph.nodes.size()));
   for (const DrawingLink& link : graph.links) {
     if (!IsBelieved(link)) continue;
     ++degree[link.node0];
     ++degree[link.node1];
-    pieces.Union(link.node0, link.node1);
   }
-  FreeEnds ends;
-  for (NodeId n = 0; n < static_cast<NodeId>(degree.size()); ++n) {
-    if (degree[n] != 1) continue;
-    ends.positions.push_back(graph.nodes[n].position_in_world);
-    ends.pieces.push_back(pieces.Find(n));
+  std::vector<Eigen::Vector3d> ends;
+  for (size_t n = 0; n < degree.size(); ++n) {
+    if (degree[n] == 1) ends.push_back(graph.nodes[n].position_in_world);
   }
   return ends;
 }
@@ -75,10 +62,7 @@ Places PlacesOf(const std::vector<View>& views, const DrawingGraph& graph) {
 class Surroundings {
  public:
   Surroundings(const std::vector<View>& views, const DrawingGraph& graph)
-      : places_(PlacesOf(views, graph)),
-        ends_(FreeEndsOf(graph)),
-        by_place_(places_.positions),
-        by_end_(ends_.positions) {}
+      : places_(PlacesOf(views, graph)), by_place_(places_.positions), by_end_(FreeEnds(graph)) {}
 
   // Of the believed length within a distance, the share of short curves.
   double ShortShare(const Eigen::Vector3d& around, double reach) const {
@@ -89,17 +73,14 @@ class Surroundings {
     return near.empty() ? 0 : static_cast<double>(num_short) / static_cast<double>(near.size());
   }
 
-  bool AreLoose(const Eigen::Vector3d& around, double reach) const {
+  size_t NumFreeEnds(const Eigen::Vector3d& around, double reach) const {
     std::vector<SpatialIndex::Neighbor> near;
     by_end_.FindWithin(around, reach, &near);
-    std::set<int> pieces;
-    for (const SpatialIndex::Neighbor& end : near) pieces.insert(ends_.pieces[end.index]);
-    return near.size() >= kMinFreeEnds && pieces.size() >= kMinPieces;
+    return near.size();
   }
 
  private:
   Places places_;
-  FreeEnds ends_;
   SpatialIndex by_place_, by_end_;
 };
 
@@ -142,7 +123,9 @@ StageSummary MarkTexture(const std::vector<View>& views, DrawingGraph* graph) {
     const Eigen::Vector3d& middle = link.points_in_world[link.points_in_world.size() / 2];
     const double reach = kReachPx * LinkFootprint(link, views);
     const double short_share = surroundings.ShortShare(middle, reach);
-    if (short_share < kMinShortShare || !surroundings.AreLoose(middle, reach)) continue;
+    if (short_share < kMinShortShare || surroundings.NumFreeEnds(middle, reach) < kMinFreeEnds) {
+      continue;
+    }
     link.kind = LinkKind::kTexture;
     link.kind_confidence = short_share;
   }

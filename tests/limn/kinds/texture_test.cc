@@ -81,24 +81,29 @@ TEST_F(TextureTest, SummaryCountsEveryLinkOnce) {
 }
 
 TEST_F(TextureTest, ShortEdgesAmongLongOnesAreNot) {
-  for (const double y : {0.0, 12.0, 24.0, 36.0}) {
-    Draw({{0, y}, {100, y}});
-    Draw({{40, y + 4}, {55, y + 4}});
+  for (int i = 0; i < 10; ++i) {
+    Draw({{0, 12.0 * i}, {100, 12.0 * i}});
+    Draw({{40, 12.0 * i + 4}, {55, 12.0 * i + 4}});
   }
-  EXPECT_EQ(Marked(), std::vector<bool>(8, false));
+  EXPECT_EQ(Marked(), std::vector<bool>(20, false));
 }
 
-TEST_F(TextureTest, LongCurvesThroughAFieldAreNot) {
+TEST_F(TextureTest, WhereLongCurvesAreNothingIs) {
   DrawField(0, 0);
-  const LinkId line = Draw({{-100, 35}, {200, 35}});
-  std::vector<bool> expected(kSide * kSide + 1, true);
-  expected[line] = false;
-  EXPECT_FALSE(Marked()[line]);
+  const LinkId line = Draw({{0, 35}, {76, 35}});
+  std::vector<bool> expected(kSide * kSide + 1, false);
+  // The rest is short for three quarters only.
+  EXPECT_EQ(Marked(), expected);
+  graph_.links[line].points_in_world[1] = FrontalPoint(60, 35);
+  graph_.nodes[graph_.links[line].node1].position_in_world = FrontalPoint(60, 35);
+  expected.assign(expected.size(), true);
+  EXPECT_EQ(Marked(), expected);
 }
 
 TEST_F(TextureTest, APieceOfALongCurveIsNot) {
   DrawField(0, 0);
-  const LinkId first = Draw({{-20, 35}, {35, 35}});
+  for (int i = 0; i < 4; ++i) DrawField(100 * i, 100);
+  const LinkId first = Draw({{-35, 35}, {35, 35}});
   const LinkId piece = Draw({{35, 35}, {45, 35}});
   EXPECT_TRUE(Marked()[piece]);
   for (DrawingLink& link : graph_.links) link.kind = LinkKind::kUnknown;
@@ -115,8 +120,8 @@ TEST_F(TextureTest, SmallCirclesAreNot) {
 TEST_F(TextureTest, ASignByItselfIsNotButManyAre) {
   DrawSign(0, 0);
   EXPECT_EQ(Marked(), std::vector<bool>(5, false));
-  for (const double x : {-26.0, 26.0}) DrawSign(x, 0);
-  EXPECT_TRUE(Marked()[0]);
+  for (const double x : {26.0, 52.0, 78.0}) DrawSign(x, 0);
+  EXPECT_EQ(Marked(), std::vector<bool>(20, true));
 }
 
 TEST_F(TextureTest, DoubtedLinksContoursAndRodsAreNot) {
@@ -125,6 +130,7 @@ TEST_F(TextureTest, DoubtedLinksContoursAndRodsAreNot) {
   graph_.links[7].kind = LinkKind::kContour;
   graph_.links[8].kind = LinkKind::kRod;
   graph_.links[8].rod_radius = 0.01;
+  graph_.links[8].kind_confidence = 1;
   const std::vector<bool> marked = Marked();
   for (size_t l = 0; l < marked.size(); ++l) EXPECT_EQ(marked[l], l < 6 || l > 8) << l;
 }

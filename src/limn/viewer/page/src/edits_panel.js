@@ -9,9 +9,7 @@ import { count, number } from './format.js';
 const LATEST = 12;
 
 function selectOfKinds(id, names) {
-  const options = names.map((name) =>
-    make('option', { value: LINK_KINDS.indexOf(name) }, name),
-  );
+  const options = names.map((name) => make('option', { value: LINK_KINDS.indexOf(name) }, name));
   return make('select', { id }, ...options);
 }
 
