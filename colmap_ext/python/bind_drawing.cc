@@ -160,11 +160,12 @@ auto NumberOf(double CircularArc::*field) {
 }
 
 Owner SelectedLinks(const Owner& drawing, const std::string& kinds, bool tentative,
-                    bool rods_as_outlines) {
+                    bool rods_as_outlines, const std::string& detail) {
   LinkSelection selection;
   selection.kinds = KindsFromNames(kinds);
   selection.tentative = tentative;
   selection.rods_as_outlines = rods_as_outlines;
+  selection.Set(DetailFromName(detail));
   auto selected = std::make_shared<SceneDrawing>(*drawing);
   selected->graph = Selected(std::move(selected->graph), selection);
   return selected;
@@ -254,7 +255,8 @@ void BindLink(py::module_* module) {
       .def_property_readonly(
           "kind", [](const Link& link) { return std::string(LinkKindName(link.Get().kind)); },
           "'edge' (crease or border), 'paint', 'shadow', 'contour' (outline of a smooth body), "
-          "'rod' (center line of a wire or bar) or 'unknown'.")
+          "'rod' (center line of a wire or bar), 'texture' (one of many short curves) or "
+          "'unknown'.")
       .def_property_readonly(
           "kind_confidence", [](const Link& link) { return link.Get().kind_confidence; }, "0 to 1.")
       .def_property_readonly(
@@ -272,6 +274,9 @@ void BindLink(py::module_* module) {
       .def_property_readonly(
           "tri_angle_deg", [](const Link& link) { return link.Get().tri_angle_deg; },
           "Angle by which its views measure its depth, 0 to 90 degrees; -1 if unknown.")
+      .def_property_readonly(
+          "curve_px", [](const Link& link) { return link.Get().curve_px; },
+          "Length of the curve that it is a part of, px of the images as used; 0 if unknown.")
       .def_property_readonly("primitive", PrimitiveOf, "The simplest curve that explains it.")
       .def_property_readonly(
           "dense_class", DenseClassOf,
@@ -447,12 +452,12 @@ void BindDrawing(py::module_* module) {
       .def_property_readonly(
           "stages", [](const SceneDrawing& drawing) { return StagesOf(drawing.made.log); },
           "The stages that made it: counts in, kept and dropped, and seconds.")
-      .def(
-          "selected", SelectedLinks, py::arg("kinds") = "default", py::arg("tentative") = false,
-          py::arg("rods_as_outlines") = false,
-          "The drawing with these links only; kinds as in drawing_exporter: names separated by "
-          "commas, 'all', or 'default' (all but outlines of smooth bodies). Rods are center lines, "
-          "or their outlines.")
+      .def("selected", SelectedLinks, py::arg("kinds") = "default", py::arg("tentative") = false,
+           py::arg("rods_as_outlines") = false, py::arg("detail") = "normal",
+           "The drawing with these links only; kinds as in drawing_exporter: names separated by "
+           "commas, 'all', or 'default' (all but outlines of smooth bodies and texture). Rods are "
+           "center lines, or their outlines. detail: 'coarse' for long curves only, 'normal', or "
+           "'all' for texture, too.")
       .def(
           "save",
           [](const Owner& drawing, const std::filesystem::path& path) {

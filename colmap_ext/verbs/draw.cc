@@ -143,7 +143,7 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   }
   if (drawn->fits_given) drawing.metadata.refined_cameras.clear();
   drawing.metadata.alignment = aligner.Align(drawing.views, drawing.graph, console);
-  WriteDrawingResults(project, drawing, console, drawn->new_views);
+  WriteDrawingResults(project, drawing, options.results, console, drawn->new_views);
   if (options.account) {
     WriteAccount(project,
                  {{drawing.views, *curves},
@@ -154,7 +154,7 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
                  console);
   }
   const Trust trust = ReportTrust(project.view_set(), drawing, console);
-  if (options.page) WritePageWithReport(project, drawing, run, trust, options.truth, console);
+  if (options.page) WritePageWithReport(project, drawing, options, trust, console);
   drawn->keep();
   RemoveOtherCameras(project, replaced_cameras, cameras, console);
   console->RepeatWarnings();

@@ -63,11 +63,12 @@ std::optional<OptionParser> ParseDrawerOptions(const char* heading, int argc,
                                     "draw only what new, changed and missing images "
                                     "touch"));
         more->AddOption("watch", &options->watch,
-                        BasicOption("keep running: bring the drawing up to date whenever "
-                                    "the model or an image changes"));
+                        "keep running: bring the drawing up to date whenever the model or an image "
+                        "changes");
         more->AddOption("account", &options->account,
                         BasicOption("report what became of every edgel"));
         more->AddOption("page", &options->page, "write drawing.html, with a report");
+        options->results.AddOptions(more);
         options->truth.AddOptions(/*are_basic=*/false, more);
         options->align.AddOptions(/*of_drawing=*/false, more);
       });

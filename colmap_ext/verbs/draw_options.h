@@ -4,6 +4,7 @@
 
 #include "colmap_ext/host/run_options.h"
 #include "colmap_ext/verbs/align.h"
+#include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/truth_input.h"
 
 namespace limn::colmap_ext {
@@ -17,6 +18,7 @@ struct DrawerOptions {
   bool watch = false;
   // Write drawing.html with a report, judged by this truth if there is one.
   bool page = true;
+  ResultOptions results;
   TruthInput truth;
   AlignOptions align;
 

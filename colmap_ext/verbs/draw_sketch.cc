@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "colmap_ext/host/provenance.h"
-#include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/refined_cameras.h"
 #include "colmap_ext/verbs/trust.h"
 
@@ -30,6 +29,8 @@ void DrawSketchVerb::AddOptions(OptionParser* parser) {
   align_.AddOptions(/*of_drawing=*/false, parser);
 }
 
+void DrawSketchVerb::AddFileOptions(OptionParser* parser) { results_.AddOptions(parser); }
+
 void DrawSketchVerb::Prepare(RunOptions*, Console*) { align_.Check(); }
 
 std::vector<std::string> DrawSketchVerb::StartsFrom(const RunOptions& options) const {
@@ -49,7 +50,7 @@ void DrawSketchVerb::Run(const Project& project, const RunOptions& options, Cons
   DrawingInScene drawing = DrawSketchInScene(job, std::move(curves), stored.sketch, provenance);
   drawing.metadata.refined_cameras = stored.metadata.refined_cameras;
   drawing.metadata.alignment = aligner.Align(drawing.views, drawing.graph, console);
-  WriteDrawingResults(project, drawing, console);
+  WriteDrawingResults(project, drawing, results_, console);
   RemoveOtherCameras(project, replaced_cameras, drawing.metadata.refined_cameras, console);
   ReportTrust(project.view_set(), drawing, console);
   console->RepeatWarnings();

@@ -7,6 +7,7 @@
 #include "colmap_ext/host/job.h"
 #include "colmap_ext/verbs/align.h"
 #include "colmap_ext/verbs/drawing_in_scene.h"
+#include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/verb.h"
 
 namespace limn::colmap_ext {
@@ -18,12 +19,14 @@ class DrawSketchVerb : public Verb {
     return {.linking = true, .drawing = true, .overwrites = true};
   }
   void AddOptions(OptionParser* parser) override;
+  void AddFileOptions(OptionParser* parser) override;
   void Prepare(RunOptions* options, Console* console) override;
   std::vector<std::string> StartsFrom(const RunOptions& options) const override;
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 
  private:
   AlignOptions align_;
+  ResultOptions results_;
 };
 
 // The provenance of a drawing made with `options` of a sketch with provenance `of_sketch`.

@@ -14,13 +14,13 @@
 #include "colmap_ext/options/retired_options.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/refined_cameras.h"
+#include "colmap_ext/verbs/selection_options.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/refined_folder.h"
 #include "limn/cache/curves_key.h"
 #include "limn/evaluation/edgel_account.h"
 #include "limn/files/atomic_file.h"
 #include "limn/formats/write_drawing.h"
-#include "limn/model/link_selection.h"
 #include "limn/pictures/overlays.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/util/errors.h"
@@ -46,6 +46,11 @@ void WritePictures(const Project& project, const std::string& folder, const View
   ParallelFor(context, folder.c_str(), views.size(),
               [&](size_t i) { WritePng(path_of(views[i]), draw(views[i])); });
   ReleaseDecoded(project.view_set());
+}
+
+LinkSelection WithDetail(LinkSelection selection, Detail detail) {
+  selection.Set(detail);
+  return selection;
 }
 
 // Share of the length by primitive, how far they are, and how much shorter they tell the drawing.
@@ -230,18 +235,29 @@ void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Cons
                " left; run drawing_surfacer again");
 }
 
-void WriteDrawingResults(const Project& project, const DrawingInScene& drawing, Console* console,
+void ResultOptions::AddOptions(OptionParser* parser) {
+  AddDetailOption("drawing.ply, drawing.obj, tracks and overlays have", &detail, parser);
+  parser->AddOption("overlay_markers", &overlay_markers, "mark nodes in overlays");
+}
+
+void WriteDrawingResults(const Project& project, const DrawingInScene& drawing,
+                         const ResultOptions& options, Console* console,
                          const ViewSubset& pictures) {
   const DrawingGraph in_model = Moved(drawing.graph, project.origin());
   WriteDrawing(project.DrawingPath("drawing.json"), in_model, drawing.metadata);
-  const DrawingGraph selected = Selected(in_model, {});
+  WarnOfUnknownCurves(in_model, options.detail, console);
+  const DrawingGraph selected = Selected(in_model, WithDetail({}, options.detail));
   for (const char* name : {"drawing.ply", "drawing.obj"}) {
     WriteDrawing(project.DrawingPath(name), selected, drawing.metadata);
   }
-  WriteTracks(project.CurvesPath("tracks.txt"), drawing.graph, LinkSelection::AsSeen(),
+  WriteTracks(project.CurvesPath("tracks.txt"), drawing.graph,
+              WithDetail(LinkSelection::AsSeen(), options.detail),
               InStoredImages(project.view_set(), drawing.views));
+  PictureOptions look;
+  look.detail = options.detail;
+  if (!options.overlay_markers) look.node_radius_px = 0;
   WritePictures(project, "overlays", pictures, console->context(), [&](ViewId v) {
-    return DrawOverlay(project.images().read(v), drawing.views[v], v, drawing.graph);
+    return DrawOverlay(project.images().read(v), drawing.views[v], v, drawing.graph, look);
   });
   SayPrimitives(drawing.graph, console);
   console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +

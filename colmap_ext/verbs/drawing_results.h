@@ -6,12 +6,14 @@
 
 #include "colmap_ext/host/project.h"
 #include "colmap_ext/host/provenance.h"
+#include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/verbs/drawing_in_scene.h"
 #include "limn/cache/curve_sketch_file.h"
 #include "limn/evaluation/edgel_account.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/link_selection.h"
 #include "limn/model/view_subset.h"
 #include "limn/pipeline/pipeline.h"
 
@@ -54,10 +56,20 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
 // Warns if a drawing has fewer faces than the one it was made from.
 void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Console* console);
 
+// What the files of a drawing show of it, except for drawing.json, which has everything.
+struct ResultOptions {
+  Detail detail = Detail::kNormal;
+  // Whether overlays mark nodes.
+  bool overlay_markers = true;
+
+  void AddOptions(OptionParser* parser);
+};
+
 // Writes drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.
 // All positions in the files are the model's. Existing overlays of views other than `pictures` are
 // kept.
-void WriteDrawingResults(const Project& project, const DrawingInScene& drawing, Console* console,
+void WriteDrawingResults(const Project& project, const DrawingInScene& drawing,
+                         const ResultOptions& options, Console* console,
                          const ViewSubset& pictures = std::nullopt);
 
 // Writes <curves>/account.csv and <curves>/account/<image name>.png: what became of every edgel

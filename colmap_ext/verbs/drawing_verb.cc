@@ -1,7 +1,6 @@
 #include "colmap_ext/verbs/drawing_verb.h"
 
 #include "colmap_ext/verbs/drawing_input.h"
-#include "colmap_ext/verbs/drawing_results.h"
 
 namespace limn::colmap_ext {
 
@@ -15,6 +14,7 @@ void DrawingVerb::Conclude(const Job& job, const DrawingInScene&, const DrawingI
 
 void DrawingVerb::AddFileOptions(OptionParser* parser) {
   AddDrawingPath("drawing.json to start from, instead of the one in the output folder", parser);
+  results_.AddOptions(parser);
 }
 
 void DrawingVerb::AddDrawingPath(const char* help, OptionParser* parser) {
@@ -31,7 +31,7 @@ void DrawingVerb::CheckReplaces(const Project& project, const RunOptions& option
 }
 
 void DrawingVerb::Write(const Job& job, const Project& project, const DrawingInScene& made) {
-  WriteDrawingResults(project, made, job.console);
+  WriteDrawingResults(project, made, results_, job.console);
 }
 
 std::vector<std::string> DrawingVerb::StartsFrom(const RunOptions&) const {

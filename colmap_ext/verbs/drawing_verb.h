@@ -7,6 +7,7 @@
 #include "colmap_ext/host/job.h"
 #include "colmap_ext/host/provenance.h"
 #include "colmap_ext/verbs/drawing_in_scene.h"
+#include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/verb.h"
 
 namespace limn::colmap_ext {
@@ -30,7 +31,7 @@ class DrawingVerb : public Verb {
   // What is said when the result is safe: by default the warnings again.
   virtual void Conclude(const Job& job, const DrawingInScene& given, const DrawingInScene& made);
 
-  // By default --drawing_path.
+  // By default --drawing_path and ResultOptions.
   void AddFileOptions(OptionParser* parser) override;
 
   // By default drawing.json.
@@ -52,6 +53,7 @@ class DrawingVerb : public Verb {
 
  private:
   std::string drawing_path_;
+  ResultOptions results_;
 };
 
 // Those of the drawing, or else found in the images.

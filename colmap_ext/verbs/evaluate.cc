@@ -186,6 +186,7 @@ EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, Console* 
     // Faces do not depend on which links are chosen.
     faces = std::move(judged.drawing->faces);
     judged.drawing->faces.clear();
+    WarnOfUnknownCurves(*judged.drawing, options.selection.detail, console);
     judged.drawing = Selected(*std::move(judged.drawing), options.Selection());
     if (truths.rods) judged.apart = TakeRodsApart(*judged.drawing);
     judged.curves = ToCurveSet(judged.apart ? judged.apart->others : *judged.drawing);

@@ -138,6 +138,7 @@ size_t ExportLimap(DrawingFile drawing, const ExporterOptions& options, Console*
 }
 
 size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* console) {
+  WarnOfUnknownCurves(drawing.graph, options.selection.detail, console);
   if (FormatName(options) == kLimapFormat) return ExportLimap(std::move(drawing), options, console);
   DrawingMetadata& metadata = drawing.metadata;
   const Similarity3d file_from_model = FileFromModel(options, metadata);

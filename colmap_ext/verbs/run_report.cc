@@ -160,18 +160,19 @@ std::string RunReportJson(const Project& project, const RunOptions& options,
 }  // namespace
 
 void WritePageWithReport(const Project& project, const DrawingInScene& drawing,
-                         const RunOptions& options, const Trust& trust, const TruthInput& truth,
-                         Console* console) {
+                         const DrawerOptions& options, const Trust& trust, Console* console) {
   if (!HasViewerPage()) {
     console->Say("drawing.html is not written: this limn was built without the viewer");
     return;
   }
   // Truth files are in the model's coordinates.
-  const std::string report =
-      RunReportJson(project, options, Moved(drawing.graph, project.origin()),
-                    InImagePixels(Moved(drawing.views, project.origin())), trust, truth, *console);
-  WriteViewerResult(project, options.layout.workspace_path, drawing, {}, report, std::nullopt,
-                    console);
+  const std::string report = RunReportJson(
+      project, options.run, Moved(drawing.graph, project.origin()),
+      InImagePixels(Moved(drawing.views, project.origin())), trust, options.truth, *console);
+  ViewerOptions viewer;
+  viewer.detail = options.results.detail;
+  WriteViewerResult(project, options.run.layout.workspace_path, drawing, viewer, report,
+                    std::nullopt, console);
 }
 
 }  // namespace limn::colmap_ext

@@ -2,10 +2,9 @@
 
 #include "colmap_ext/host/console.h"
 #include "colmap_ext/host/project.h"
-#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/verbs/draw_options.h"
 #include "colmap_ext/verbs/drawing_in_scene.h"
 #include "colmap_ext/verbs/trust.h"
-#include "colmap_ext/verbs/truth_input.h"
 
 namespace limn::colmap_ext {
 
@@ -14,7 +13,6 @@ namespace limn::colmap_ext {
 // supporting images; with a truth also precision and recall, overall and for the links with at
 // least n of them. Prints a line if Limn was built without the page. Throws IoError.
 void WritePageWithReport(const Project& project, const DrawingInScene& drawing,
-                         const RunOptions& options, const Trust& trust, const TruthInput& truth,
-                         Console* console);
+                         const DrawerOptions& options, const Trust& trust, Console* console);
 
 }  // namespace limn::colmap_ext

@@ -11,6 +11,7 @@
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/verbs/align.h"
 #include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/selection_options.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "limn/files/atomic_file.h"
@@ -131,6 +132,7 @@ void ViewVerb::AddOptions(OptionParser* parser) {
                     BasicOption("thin the points to at most this many"));
   parser->AddOption("thumbnail_size", &viewer_.thumbnail_size,
                     BasicOption("longer side of the photographs in the page, px"));
+  AddDetailOption("the page shows at first", &viewer_.detail, parser);
   parser->AddOption("aligned", &viewer_.aligned,
                     BasicOption("show the world, as drawing_aligner or --align auto found it"));
 }
@@ -171,6 +173,7 @@ void WriteViewerResult(const Project& project, const std::string& workspace_path
   ViewerScene scene;
   const fs::path folder = fs::absolute(project.DrawingPath("")).lexically_normal();
   scene.title = folder.parent_path().filename().string();
+  scene.detail = options.detail;
   scene.graph = Moved(drawing.graph, project.origin());
   scene.views = Moved(drawing.views, project.origin());
   scene.cloud = CloudOf(project, workspace_path, options, console);

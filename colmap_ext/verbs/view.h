@@ -7,6 +7,7 @@
 #include "colmap_ext/verbs/drawing_in_scene.h"
 #include "colmap_ext/verbs/verb.h"
 #include "limn/model/alignment.h"
+#include "limn/model/link_selection.h"
 
 namespace limn::colmap_ext {
 
@@ -20,6 +21,8 @@ struct ViewerOptions {
   std::string cloud = "auto";
   int max_points = 200000;
   int thumbnail_size = 320;
+  // Shown at first.
+  Detail detail = Detail::kNormal;
   // Show world coordinates, by the alignment of the drawing, instead of the model's.
   bool aligned = false;
 };

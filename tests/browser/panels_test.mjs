@@ -102,7 +102,7 @@ test('outlines of smooth bodies and tentative links are hidden until they are as
     // As a drawing with such links would begin.
     await page.evaluate(() => {
       window.limnViewer.drawing.kindCategory[0] = 4;
-      window.limnViewer.drawing.kindCategory[1] = 6;
+      window.limnViewer.drawing.kindCategory[1] = 7;
       window.limnViewer.drawing.kindCategory[2] = 5;
     });
     await page.locator('#scheme').selectOption('kind');
@@ -117,6 +117,28 @@ test('outlines of smooth bodies and tentative links are hidden until they are as
     assert.equal(await legend.filter({ hasText: 'rod' }).locator('input').isChecked(), true);
     await legend.filter({ hasText: 'shadow' }).locator('input').uncheck();
     assert.deepEqual(await visible(), [...Array(12).fill(1), 0]);
+  }));
+
+test('the slider of the detail brings texture, and leaves short curves out', () =>
+  withPage(async (page) => {
+    const visible = () => page.evaluate(() => [...window.limnViewer.drawing.visible]);
+    await page.evaluate(() => {
+      const { drawing } = window.limnViewer;
+      drawing.linkKind[0] = 6;
+      drawing.linkCurvePx.fill(79);
+      drawing.linkCurvePx[1] = 80;
+      drawing.linkCurvePx[2] = 0; // unknown
+      drawing.sortKinds();
+    });
+    const slider = page.locator('#detail');
+    assert.equal(await slider.inputValue(), '1');
+    await slider.fill('2');
+    assert.deepEqual(await visible(), Array(13).fill(1));
+    await slider.fill('1');
+    assert.deepEqual(await visible(), [0, ...Array(12).fill(1)]);
+    assert.match(await page.locator('#detail-name').textContent(), /^normal/);
+    await slider.fill('0');
+    assert.deepEqual(await visible(), [0, 1, 1, ...Array(10).fill(0)]);
   }));
 
 test('rods tell their radius', () =>

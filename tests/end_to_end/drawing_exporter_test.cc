@@ -81,6 +81,34 @@ TEST(DrawingExporter, KindsAndTentativeLinksCanBeChosen) {
   EXPECT_EQ(num_links({"--kinds", "shadow,contour"}), 2u);
 }
 
+TEST(DrawingExporter, DetailCanBeChosen) {
+  DrawingGraph graph = PrimitiveDrawing();
+  for (DrawingLink& link : graph.links) link.curve_px = 79;
+  graph.links[0].kind = LinkKind::kTexture;
+  graph.links[1].curve_px = 81;
+  const ExportedDrawing exported(graph);
+  const auto num_links = [&](const std::string& detail) {
+    exported.Export("d.json", {"--overwrite", "1", "--detail", detail});
+    return ReadDrawingJson(exported.Path("d.json")).graph.links.size();
+  };
+  EXPECT_EQ(num_links("all"), graph.links.size());
+  EXPECT_EQ(num_links("normal"), graph.links.size() - 1);
+  EXPECT_EQ(num_links("coarse"), 1u);
+  const LimnRun bad = exported.TryExport("e.json", {"--detail", "fine"});
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_THAT(bad.err, HasSubstr("detail = fine"));
+  EXPECT_THAT(bad.err, HasSubstr("coarse, normal, all"));
+}
+
+TEST(DrawingExporter, SaysThatItDoesNotKnowWhichCurvesAreShort) {
+  const ExportedDrawing exported(PrimitiveDrawing());
+  const LimnRun coarse = exported.TryExport("d.json", {"--detail", "coarse"});
+  EXPECT_EQ(coarse.exit_code, 0);
+  EXPECT_THAT(coarse.out, HasSubstr("detail = coarse leaves out no short curves"));
+  EXPECT_EQ(ReadDrawingJson(exported.Path("d.json")).graph.links.size(),
+            PrimitiveDrawing().links.size());
+}
+
 TEST(DrawingExporter, LosesNoDrawingNoModelAndNoFileOfTheUser) {
   const ExportedDrawing exported(PrimitiveDrawing());
   exported.dir().WriteFile("cameras.bin", "a model");

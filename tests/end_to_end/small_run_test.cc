@@ -574,11 +574,12 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
   }
   EXPECT_THAT(stages,
               ::testing::ElementsAre("image curves", "swept sketch", "drawing", "refinement",
-                                     "belief", "rods", "primitives", "kinds of edges"));
+                                     "belief", "rods", "primitives", "kinds of edges", "texture"));
   EXPECT_EQ(report.at("options_changed").at("Drawing.min_link_length_px"), 7.5);
   const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;
   for (const DrawingLink& link : graph.links) {
     EXPECT_EQ(link.tri_angle_deg >= 0, link.supporting_views.size() >= 2);
+    EXPECT_GT(link.curve_px, 0);
   }
   int num_links = 0;
   for (const int count : report.at("support_histogram")) num_links += count;

@@ -43,7 +43,7 @@ TEST(StageReport, TellsEveryStageAndIsComparable) {
   EXPECT_EQ(set.at("num_views"), 24);
   EXPECT_THAT(StageNames(set),
               ElementsAre("image curves", "swept sketch", "drawing", "refinement", "belief", "rods",
-                          "primitives", "kinds of edges", "total"));
+                          "primitives", "kinds of edges", "texture", "total"));
   double seconds = 0;
   for (const nlohmann::json& stage : set.at("stages")) {
     const bool is_total = stage.at("stage") == "total";

@@ -12,9 +12,9 @@
 namespace limn {
 namespace {
 
-constexpr std::array<LinkKind, kNumLinkKinds> kOrder = {LinkKind::kEdge,   LinkKind::kPaint,
-                                                        LinkKind::kShadow, LinkKind::kContour,
-                                                        LinkKind::kRod,    LinkKind::kUnknown};
+constexpr std::array<LinkKind, kNumLinkKinds> kOrder = {
+    LinkKind::kEdge, LinkKind::kPaint,   LinkKind::kShadow, LinkKind::kContour,
+    LinkKind::kRod,  LinkKind::kTexture, LinkKind::kUnknown};
 
 class NearestKind {
  public:

@@ -13,7 +13,7 @@ namespace limn {
 struct ViewAgreement {
   int64_t num_edgels = 0;  // in its fragments, about 1 px of a curve each
   // Length of the links that the view supports, in the image, over the length of its fragments; 0
-  // without edgels. Tentative links and contours do not count.
+  // without edgels. Tentative links, texture and contours do not count.
   double share = 0;
 };
 

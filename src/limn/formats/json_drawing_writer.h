@@ -22,11 +22,12 @@ namespace limn {
 //               "incident": [[link, end], ...], "continuations": [[[link, end], [link, end]],
 //               ...]}],
 //    "links": [{"id", "curve" (CurvesOf), "node0", "node1", "closed", "length", "residual_px",
-//               "tri_angle_deg" where known (TriAngleDeg),
-//               "kind": "edge"|"paint"|"shadow"|"contour"|"rod"|"unknown", "kind_confidence" where
-//               known, of a rod "rod_radius", half its thickness, "tentative": true where it is,
-//               then "doubt": "few views"|"chance"|"seen through"|"explained by others"| "outline
-//               of a rod"|"depth not measured" where known, after drawing_fuser also "dense":
+//               "tri_angle_deg" where known (TriAngleDeg), "curve_px" where known (MeasureCurves),
+//               "kind": "edge"|"paint"|"shadow"|"contour"|"rod"|"texture"|"unknown",
+//               "kind_confidence" where known, of a rod "rod_radius", half its thickness,
+//               "tentative": true where it is, then "doubt": "few views"|"chance"|"seen
+//               through"|"explained by others"| "outline of a rod"|"depth not measured" where
+//               known, after drawing_fuser also "dense":
 //               {"class": "surface"|"boundary"|"free"|"unknown", "added_share", "occluded_share",
 //               "behind_surface", "fold_deg" where known}, "primitive": {"type": "line", "start",
 //               "end"} or

@@ -11,7 +11,8 @@ namespace limn {
 //   {"format": "limn_edits", "format_version": 1, "edits": [EDIT, ...]}
 // EDIT is one of
 //   {"edit": "delete"|"restore", "links": [REF, ...]}
-//   {"edit": "set_kind", "links": [REF, ...], "kind": "edge"|"paint"|"shadow"|"contour"|"unknown"}
+//   {"edit": "set_kind", "links": [REF, ...],
+//    "kind": "edge"|"paint"|"shadow"|"contour"|"texture"|"unknown"}
 //   {"edit": "split", "link": REF, "at": PLACE}
 //   {"edit": "join", "ends": [END, END]}
 //   {"edit": "merge", "links": [REF, REF]}

@@ -94,8 +94,8 @@ void WriteDrawingPly(const DrawingGraph& graph, std::ostream& out) {
       << (HasClasses(graph) ? "comment class: 0 unknown, 1 surface, 2 boundary, 3 free\n"
                               "property uchar class\n"
                             : "")
-      << (HasKinds(graph) ? "comment kind: 0 unknown, 1 edge, 2 paint, 3 shadow, 4 contour, 5 rod\n"
-                            "property uchar kind\n"
+      << (HasKinds(graph) ? "comment kind: 0 unknown, 1 edge, 2 paint, 3 shadow, 4 contour, 5 rod, "
+                            "6 texture\nproperty uchar kind\n"
                           : "")
       << (HasRods(graph) ? "comment rod_radius: half the thickness of a rod, else 0\n"
                            "property double rod_radius\n"

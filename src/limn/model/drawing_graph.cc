@@ -12,7 +12,7 @@ namespace {
 
 constexpr NameTable<NodeKind, 3> kNodeKinds = {{"end", "junction", "loop_anchor"}};
 constexpr NameTable<LinkKind, kNumLinkKinds> kLinkKinds = {
-    {"unknown", "edge", "paint", "shadow", "contour", "rod"}};
+    {"unknown", "edge", "paint", "shadow", "contour", "rod", "texture"}};
 constexpr NameTable<LinkDoubt, kNumLinkDoubts> kLinkDoubts = {
     {"", "few views", "chance", "seen through", "explained by others", "outline of a rod",
      "depth not measured"}};
@@ -66,6 +66,9 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
   }
   if (!(link.tri_angle_deg == -1 || (link.tri_angle_deg >= 0 && link.tri_angle_deg <= 90))) {
     violations->Add("link", id, "triangulation angle not from 0 to 90");
+  }
+  if (!(link.curve_px >= 0) || !std::isfinite(link.curve_px)) {
+    violations->Add("link", id, "length of its curve below 0 or not finite");
   }
   const bool has_radius = link.rod_radius > 0 && std::isfinite(link.rod_radius);
   if (link.kind == LinkKind::kRod ? !has_radius : link.rod_radius != 0) {

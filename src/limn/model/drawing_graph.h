@@ -73,10 +73,11 @@ enum class LinkKind : uint8_t {
   kShadow,   // border of a shadow, or shading
   kContour,  // outline of a smooth body, which lies elsewhere in other views
   kRod,      // center line of a wire, cable, bar or rod (limn/rods/)
+  kTexture,  // one of many short curves: grain, leaves, cloth, small print
 };
-constexpr int kNumLinkKinds = 6;
+constexpr int kNumLinkKinds = 7;
 
-// "edge", "paint", "shadow", "contour", "rod", "unknown".
+// "edge", "paint", "shadow", "contour", "rod", "texture", "unknown".
 const char* LinkKindName(LinkKind kind);
 // Nothing if there is no such kind.
 std::optional<LinkKind> LinkKindNamed(const std::string& name);
@@ -159,6 +160,8 @@ struct DrawingLink {
   double residual_px = 0;
   // The angle by which its views measure its depth (TriAngleDeg); -1: unknown.
   double tri_angle_deg = -1;
+  // Length of the curve that it is a part of (MeasureCurves), pixels; 0: unknown.
+  double curve_px = 0;
   // Of most of its length.
   LinkKind kind = LinkKind::kUnknown;
   double kind_confidence = 0;  // 0 to 1; 0 if unknown
@@ -196,8 +199,9 @@ struct DrawingGraph {
 // link ends at their nodes' positions, all numbers finite, links of at least two points, no link of
 // zero length, one sigma (and one vertex, if there are any) per point, radii of rods
 // and of nothing else, primitives that ValidateShape accepts, regularities and faces that are in
-// order, finite dimensions, confidences of kinds from 0 to 1, doubts of tentative links only,
-// junction <=> degree >= 3, loop anchors with exactly the two ends of one closed link. Linear time.
+// order, finite dimensions, confidences of kinds from 0 to 1, lengths of curves not
+// below 0, doubts of tentative links only, junction <=> degree >= 3, loop anchors with exactly the
+// two ends of one closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 
 // The kind of a node, by the link ends at it and by whether their link is closed.

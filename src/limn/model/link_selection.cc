@@ -4,12 +4,28 @@
 #include <vector>
 
 #include "limn/util/errors.h"
+#include "limn/util/name_table.h"
 
 namespace limn {
+namespace {
+
+constexpr NameTable<Detail, kNumDetails> kDetails = {{"coarse", "normal", "all"}};
+constexpr double kCoarseCurvePx = 80;
+
+}  // namespace
+
+const char* DetailName(Detail detail) { return kDetails.Of(detail); }
+
+Detail DetailFromName(const std::string& name) {
+  const auto detail = kDetails.Find(name);
+  if (!detail) throw OptionError("detail = " + name + ": must be coarse, normal or all");
+  return *detail;
+}
 
 LinkSelection::LinkSelection() {
   kinds.fill(true);
   kinds[static_cast<int>(LinkKind::kContour)] = false;
+  kinds[static_cast<int>(LinkKind::kTexture)] = false;
 }
 
 LinkSelection LinkSelection::AsSeen() {
@@ -18,7 +34,14 @@ LinkSelection LinkSelection::AsSeen() {
   return selection;
 }
 
+void LinkSelection::Set(Detail detail) {
+  if (detail == Detail::kNormal) return;
+  kinds[static_cast<int>(LinkKind::kTexture)] = detail == Detail::kAll;
+  min_curve_px = detail == Detail::kCoarse ? kCoarseCurvePx : 0;
+}
+
 bool LinkSelection::Has(const DrawingLink& link) const {
+  if (link.curve_px > 0 && link.curve_px < min_curve_px) return false;
   const auto has = [&](LinkKind kind) { return kinds[static_cast<int>(kind)]; };
   if (rods_as_outlines && link.kind == LinkKind::kRod) return false;
   if (rods_as_outlines && link.doubt == LinkDoubt::kRodOutline) return has(LinkKind::kRod);
@@ -38,7 +61,7 @@ std::array<bool, kNumLinkKinds> KindsFromNames(const std::string& names) {
     const auto kind = LinkKindNamed(name);
     if (!kind) {
       throw OptionError("kinds = " + names + ": \"" + name +
-                        "\" is none of edge, paint, shadow, contour, rod, unknown");
+                        "\" is none of edge, paint, shadow, contour, rod, texture, unknown");
     }
     kinds[static_cast<int>(*kind)] = true;
   }

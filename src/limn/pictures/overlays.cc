@@ -4,7 +4,6 @@
 
 #include "limn/formats/tracks_writer.h"
 #include "limn/model/drawing_paths.h"
-#include "limn/model/link_selection.h"
 #include "limn/pictures/canvas.h"
 #include "limn/pictures/draw_node.h"
 #include "limn/util/errors.h"
@@ -53,6 +52,16 @@ double DrawPolyline(const View& view, const std::vector<Eigen::Vector3d>& points
 bool IsClear(ViewId view, const DrawingLink& link) {
   return LinkSelection::AsSeen().Has(link) &&
          std::ranges::binary_search(link.supporting_views, view);
+}
+
+// All kinds, and tentative links, too, faded as they may be.
+LinkSelection DrawnLinks(Detail detail) {
+  LinkSelection selection;
+  selection.kinds = KindsFromNames("all");
+  selection.kinds[static_cast<int>(LinkKind::kTexture)] = false;
+  selection.tentative = true;
+  selection.Set(detail);
+  return selection;
 }
 
 Color ColorOf(EdgelFate fate) {
@@ -104,24 +113,28 @@ Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const 
   Canvas canvas = MakeCanvas(photo, options);
   const std::vector<LinkId> curves = CurvesOf(graph);
   const int scale = Scale(options, photo.width, photo.height);
+  const LinkSelection drawn = DrawnLinks(options.detail);
   std::vector<double> clear_px(graph.links.size(), 0);  // of the picture
   for (const bool clear : {false, true}) {
     for (size_t id = 0; id < graph.links.size(); ++id) {
       const DrawingLink& link = graph.links[id];
-      if (IsClear(view_id, link) != clear) continue;
+      if (!drawn.Has(link) || IsClear(view_id, link) != clear) continue;
       const Color color = ColorOfCurve(curves[id]);
       const double length = DrawPolyline(view, link.points_in_world, clear ? color : Faded(color),
                                          clear ? options.line_width_px : 1, &canvas);
       if (clear) clear_px[id] = length * scale;
     }
   }
-  for (const DrawingNode& node : graph.nodes) {
+  for (DrawingNode node : graph.nodes) {
+    std::erase_if(node.incident,
+                  [&](const LinkEnd& end) { return !drawn.Has(graph.links[end.link]); });
+    node.kind = KindOf(graph, node);
     double longest_px = 0;
     for (const LinkEnd& end : node.incident) {
       longest_px = std::max(longest_px, clear_px[end.link]);
     }
-    if (longest_px == 0) continue;
-    DrawNode(view, node, std::min(options.node_radius_px, kMarkShare * longest_px), &canvas);
+    const double radius_px = std::min(options.node_radius_px, kMarkShare * longest_px);
+    if (radius_px > 0) DrawNode(view, node, radius_px, &canvas);
   }
   return canvas.picture();
 }

@@ -5,6 +5,7 @@
 #include "limn/model/drawing_graph.h"
 #include "limn/model/edgel_fate.h"
 #include "limn/model/image.h"
+#include "limn/model/link_selection.h"
 #include "limn/model/view.h"
 #include "limn/pictures/picture.h"
 
@@ -16,18 +17,20 @@ struct PictureOptions {
   // Factor on the photograph's gray levels, in [0, 1]; lower makes the lines stand out.
   double brightness = 0.55;
   // Width of the lines and radius of a junction's disc, pixels of the picture. Marks of nodes whose
-  // links are all shorter than six radii are smaller.
+  // links are all shorter than six radii are smaller; with a radius of 0 there are none.
   int line_width_px = 2;
   double node_radius_px = 5.0;
+  // Of a drawing. Links that it leaves out are not drawn, and nodes are those of the others.
+  Detail detail = Detail::kNormal;
 
   void Check() const;
 };
 
 // A drawing over a photograph, in stored pixels, through the lens: one color per curve (CurvesOf).
-// Links that this view does not support, tentative links, outlines of smooth bodies and center
-// lines of rods (what LinkSelection::AsSeen leaves out) are thin and faded; junctions are discs,
-// ends small squares, loop anchors diamonds, at nodes of other links. Occlusion is ignored. Throws
-// InputError if the photograph does not have the size of the view's camera.
+// Links that this view does not support, tentative links, texture, outlines of smooth bodies and
+// center lines of rods (what LinkSelection::AsSeen leaves out) are thin and faded; junctions are
+// discs, ends small squares, loop anchors diamonds, at nodes of other links. Occlusion is ignored.
+// Throws InputError if the photograph does not have the size of the view's camera.
 Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const DrawingGraph& graph,
                     const PictureOptions& options = {});
 

@@ -5,6 +5,7 @@
 #include "limn/belief/link_judge.h"
 #include "limn/belief/tri_angle.h"
 #include "limn/kinds/classify_kinds.h"
+#include "limn/kinds/texture.h"
 #include "limn/paper/paper_drawing.h"
 #include "limn/pipeline/sketch_views.h"
 #include "limn/regularity/regularize.h"
@@ -55,6 +56,7 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const StageObserver& on_stage_end) {
   if (options.IsPaper()) return graph;
   MeasureTriAngles(views, context, &graph);
+  MeasureCurves(views, &graph);
   PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
   on_stage_end(primitives.summary);
   graph = std::move(primitives.graph);
@@ -62,6 +64,7 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
     KindsResult kinds = ClassifyKinds({views, read_image, graph}, context);
     on_stage_end(kinds.summary);
     graph = std::move(kinds.graph);
+    on_stage_end(MarkTexture(views, &graph));
   }
   if (!options.regularize) return graph;
   RegularityResult regular =

@@ -43,9 +43,9 @@ DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
 DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                             const RunContext& context, const StageObserver& on_stage_end);
 
-// Fits primitives to the links, finds their kinds if images can be read, and makes them regular if
-// the options say so (FitPrimitives, ClassifyKinds, Regularize). The paper's drawing stays as it
-// is.
+// Fits primitives to the links, finds their kinds and texture if images can be read, and makes them
+// regular if the options say so (FitPrimitives, ClassifyKinds, MarkTexture, Regularize). The
+// paper's drawing stays as it is.
 DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const std::function<Image(ViewId)>& read_image,
                            const PipelineOptions& options, const RunContext& context,

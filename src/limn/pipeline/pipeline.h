@@ -20,8 +20,8 @@ UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& 
                              const RunContext& context, const StageObserver& on_stage_end);
 
 // From photographs to the drawing (ECCV 2016): edges and fragments of every image, cameras
-// (CameraRefiner), sketch, drawing graph, refinement, belief, primitives, kinds of edges. Throws
-// OptionError, InputError, what `images` throws, and Cancelled.
+// (CameraRefiner), sketch, drawing graph, refinement, belief, primitives, kinds of edges, texture.
+// Throws OptionError, InputError, what `images` throws, and Cancelled.
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end);
 

@@ -5,6 +5,7 @@
 
 #include "limn/belief/tri_angle.h"
 #include "limn/kinds/classify_kinds.h"
+#include "limn/kinds/texture.h"
 #include "limn/model/footprint.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
@@ -52,7 +53,8 @@ void TellKinds(const std::vector<View>& views, const std::function<Image(ViewId)
                const RunContext& context, EditedDrawing* edited) {
   if (!read_image) return;
   DrawingGraph& graph = edited->graph;
-  const KindsResult kinds = ClassifyKinds({views, read_image, graph}, context);
+  KindsResult kinds = ClassifyKinds({views, read_image, graph}, context);
+  MarkTexture(views, &kinds.graph);
   for (size_t l = 0; l < graph.links.size(); ++l) {
     if (!edited->touched[l] || edited->kind_by_hand[l]) continue;
     graph.links[l].kind = kinds.graph.links[l].kind;
@@ -71,6 +73,7 @@ StageSummary RefitEdited(const CurvesScene& scene, const std::function<Image(Vie
   edited->graph =
       RefitPrimitives(refit.graph, edited->touched, scene.views, options.primitives, context);
   MeasureTriAngles(scene.views, context, &edited->graph);
+  MeasureCurves(scene.views, &edited->graph);
   TellKinds(scene.views, read_image, context, edited);
   SnapDimensions(scene.views, edited);
   StageSummary summary;

@@ -12,6 +12,7 @@
 #include "limn/cache/view_sketch_file.h"
 #include "limn/geometry/polyline.h"
 #include "limn/kinds/classify_kinds.h"
+#include "limn/kinds/texture.h"
 #include "limn/model/footprint.h"
 #include "limn/model/scene_subset.h"
 #include "limn/pipeline/scene_record.h"
@@ -417,16 +418,19 @@ class SceneUpdater {
     std::vector<uint8_t> changed;
     for (const DrawingLink& link : graph.links) changed.push_back(!link.primitive);
     MeasureTriAngles(input_.views, context_, &graph);
+    MeasureCurves(input_.views, &graph);
     graph = RefitPrimitives(graph, changed, input_.views, options_.primitives, context_);
     if (!input_.images.read) return graph;
     // Light variation and sharpness are measured on all links.
     KindsResult kinds = ClassifyKinds({input_.views, input_.images.read, graph}, context_);
     if (input_.images.release) input_.images.release();
     for (size_t l = 0; l < graph.links.size(); ++l) {
-      if (!changed[l]) continue;
+      // What is texture depends on what is new around it.
+      if (!changed[l] && graph.links[l].kind != LinkKind::kTexture) continue;
       graph.links[l].kind = kinds.graph.links[l].kind;
       graph.links[l].kind_confidence = kinds.graph.links[l].kind_confidence;
     }
+    MarkTexture(input_.views, &graph);
     return graph;
   }
 

@@ -61,6 +61,7 @@ void ForgetShape(DrawingLink* link) {
   link->regularity.reset();
   link->dense.reset();
   link->tri_angle_deg = -1;
+  link->curve_px = 0;
 }
 
 // The kind of two links together, before they are joined: what is sure over more length. A rod

@@ -157,16 +157,18 @@ void AddDense(const ViewerScene& scene, PayloadArrays* arrays) {
 
 void AddKinds(const ViewerScene& scene, PayloadArrays* arrays) {
   std::vector<uint8_t> kind, tentative;
-  std::vector<float> confidence;
+  std::vector<float> confidence, curve_px;
   std::vector<double> rod_radius;
   for (const DrawingLink& link : scene.graph.links) {
     kind.push_back(static_cast<uint8_t>(link.kind));
     confidence.push_back(static_cast<float>(link.kind_confidence));
+    curve_px.push_back(static_cast<float>(link.curve_px));
     tentative.push_back(link.tentative);
     rod_radius.push_back(link.rod_radius);
   }
   arrays->Add("linkKind", kind);
   arrays->Add("kindConfidence", confidence);
+  arrays->Add("linkCurvePx", curve_px);
   arrays->Add("linkTentative", tentative);
   arrays->Add("rodRadius", rod_radius);
 }
@@ -303,6 +305,7 @@ std::string EncodePayload(const ViewerScene& scene) {
   header["center"] = ToJson(center);
   header["shownFromModel"] = ToJson(scene.shown_from_model);
   header["unit"] = scene.unit;
+  header["detail"] = DetailName(scene.detail);
   header["views"] = AddViews(scene, center, &arrays);
   header["report"] = ReportOf(scene);
   header["arrays"] = arrays.header();

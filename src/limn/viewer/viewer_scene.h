@@ -9,6 +9,7 @@
 
 #include "limn/geometry/similarity3.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/link_selection.h"
 #include "limn/model/view.h"
 
 namespace limn {
@@ -37,6 +38,8 @@ struct ViewerScene {
   // The unit of displayed lengths.
   std::string unit = "model units";
   DrawingGraph graph;
+  // What of it is shown at first.
+  Detail detail = Detail::kNormal;
   // The views that the links' supporting views are indices into.
   std::vector<View> views;
   // One per view, or none at all.

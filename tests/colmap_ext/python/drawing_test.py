@@ -19,6 +19,7 @@ import limn
 import scenes
 
 PROGRAM = sys.argv.pop(1)
+KINDS = ("edge", "paint", "shadow", "contour", "rod", "texture", "unknown")
 
 
 class Drawings(unittest.TestCase):
@@ -90,7 +91,7 @@ class Drawings(unittest.TestCase):
             self.assertTrue(np.array_equal(link.points[0], drawing.nodes[link.node0].position))
             self.assertTrue(np.array_equal(link.points[-1], drawing.nodes[link.node1].position))
             self.assertIn((link.id, 0), drawing.nodes[link.node0].link_ends)
-            self.assertIn(link.kind, ("edge", "paint", "shadow", "contour", "rod", "unknown"))
+            self.assertIn(link.kind, KINDS)
             self.assertEqual(link.rod_radius > 0, link.kind == "rod")
             self.assertTrue(link.tri_angle_deg == -1 or 0 <= link.tri_angle_deg <= 90)
             self.assertAlmostEqual(link.length, np.linalg.norm(np.diff(link.points, axis=0), axis=1).sum(), places=9)
@@ -192,6 +193,25 @@ class Drawings(unittest.TestCase):
         outlines = drawing.selected(rods_as_outlines=True).links
         self.assertNotIn("rod", [link.kind for link in outlines])
         self.assertEqual({link.doubt for link in outlines if link.tentative}, {"outline of a rod"})
+
+    def test_detail_is_chosen_by_name(self):
+        path = self.output / "texture.json"
+        self.drawing.save(path)
+        stored = json.loads(path.read_text())
+        for link in stored["links"]:
+            for name in "tentative", "doubt", "rod_radius":
+                link.pop(name, None)
+            link.update(kind="edge", curve_px=50)
+        stored["links"][0].update(kind="texture", kind_confidence=0.5)
+        stored["links"][1].update(curve_px=100.5)
+        path.write_text(json.dumps(stored))
+        drawing = limn.read_drawing(path)
+        self.assertEqual(drawing.links[1].curve_px, 100.5)
+        self.assertEqual(len(drawing.selected(detail="all").links), len(drawing.links))
+        self.assertEqual({link.kind for link in drawing.selected().links}, {"edge"})
+        self.assertEqual([link.curve_px for link in drawing.selected(detail="coarse").links], [100.5])
+        with self.assertRaisesRegex(limn.OptionError, "must be coarse, normal or all"):
+            drawing.selected(detail="fine")
 
     def test_export_has_the_options_of_the_command(self):
         path = self.output / "scaled.json"

@@ -112,7 +112,7 @@ TEST(KindConfusionTest, TableHasARowPerTrueKind) {
   PrintKindConfusion(confusion, out);
   EXPECT_THAT(out.str(), ::testing::ContainsRegex("paint +1.250 +0.000"));
   EXPECT_THAT(out.str(), ::testing::HasSubstr("none"));
-  EXPECT_THAT(out.str(), ::testing::HasSubstr("   contour       rod   unknown\n"));
+  EXPECT_THAT(out.str(), ::testing::HasSubstr("   contour       rod   texture   unknown\n"));
   EXPECT_THAT(out.str(), ::testing::HasSubstr("\n  rod "));
 }
 

@@ -76,6 +76,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "link 0: point not finite"},
         Breakage{"ConfidenceAboveOne", [](DrawingGraph* g) { g->links[1].kind_confidence = 1.1; },
                  "link 1: confidence of its kind not from 0 to 1"},
+        Breakage{"CurveLength", [](DrawingGraph* g) { g->links[1].curve_px = -1; },
+                 "link 1: length of its curve"},
         Breakage{"TriAngle", [](DrawingGraph* g) { g->links[1].tri_angle_deg = 91; },
                  "link 1: triangulation angle not from 0 to 90"},
         Breakage{"ConfidenceNan", [](DrawingGraph* g) { g->links[1].kind_confidence = NAN; },

@@ -38,7 +38,7 @@ std::vector<LinkKind> KindsOf(const DrawingGraph& graph) {
 
 using Kinds = std::vector<LinkKind>;
 
-TEST(LinkSelectionTest, ByDefaultOutlinesAndTentativeLinksAreLeftOut) {
+TEST(LinkSelectionTest, ByDefaultOutlinesTextureAndTentativeLinksAreLeftOut) {
   EXPECT_EQ(KindsOf(Selected(Fan(), {})),
             (Kinds{LinkKind::kUnknown, LinkKind::kEdge, LinkKind::kPaint, LinkKind::kShadow,
                    LinkKind::kRod}));
@@ -68,6 +68,49 @@ TEST(LinkSelectionTest, RodsAreCenterLinesOrOutlines) {
   LinkSelection paint = LinkSelection::AsSeen();
   paint.kinds = KindsFromNames("paint");
   EXPECT_EQ(KindsOf(Selected(fan, paint)), Kinds{LinkKind::kPaint});
+}
+
+std::vector<LinkKind> KindsAt(Detail detail, const DrawingGraph& graph) {
+  LinkSelection selection;
+  selection.Set(detail);
+  return KindsOf(Selected(graph, selection));
+}
+
+TEST(LinkSelectionTest, DetailBringsTextureBackOrLeavesShortCurvesOut) {
+  DrawingGraph fan = Fan();
+  for (DrawingLink& link : fan.links) link.curve_px = 79.9;
+  fan.links[static_cast<int>(LinkKind::kEdge)].curve_px = 80;
+  fan.links[static_cast<int>(LinkKind::kTexture)].curve_px = 200;
+  fan.links[static_cast<int>(LinkKind::kPaint)].curve_px = 0;  // unknown
+  EXPECT_EQ(KindsAt(Detail::kNormal, fan), KindsOf(Selected(fan, {})));
+  EXPECT_EQ(KindsAt(Detail::kAll, fan),
+            (Kinds{LinkKind::kUnknown, LinkKind::kEdge, LinkKind::kPaint, LinkKind::kShadow,
+                   LinkKind::kRod, LinkKind::kTexture}));
+  EXPECT_EQ(KindsAt(Detail::kCoarse, fan), (Kinds{LinkKind::kEdge, LinkKind::kPaint}));
+}
+
+TEST(LinkSelectionTest, NormalDetailLeavesNamedKindsAsTheyAre) {
+  LinkSelection selection;
+  selection.kinds = KindsFromNames("texture");
+  selection.Set(Detail::kNormal);
+  EXPECT_EQ(KindsOf(Selected(Fan(), selection)), Kinds{LinkKind::kTexture});
+  selection.Set(Detail::kCoarse);
+  EXPECT_TRUE(Selected(Fan(), selection).links.empty());
+}
+
+TEST(LinkSelectionTest, NodesForgetTexture) {
+  // Of two links and one of texture, that meet.
+  DrawingGraph fan = Fan();
+  RemoveLinks({0, 1, 1, 0, 0, 0, 1, 0}, &fan);
+  EXPECT_EQ(fan.nodes[0].kind, NodeKind::kJunction);
+  EXPECT_EQ(Selected(fan, {}).nodes[0].kind, NodeKind::kEnd);
+}
+
+TEST(LinkSelectionTest, DetailsHaveNames) {
+  for (const Detail detail : {Detail::kCoarse, Detail::kNormal, Detail::kAll}) {
+    EXPECT_EQ(DetailFromName(DetailName(detail)), detail);
+  }
+  for (const char* bad : {"", "fine", "Normal"}) EXPECT_THROW(DetailFromName(bad), OptionError);
 }
 
 TEST(LinkSelectionTest, UnknownNamesAreRefused) {

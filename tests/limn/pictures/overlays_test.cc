@@ -113,14 +113,17 @@ TEST(DrawOverlay, UnsupportedLinksAreFadedAndTheirNodesUnmarked) {
   EXPECT_FALSE(IsColor(picture.At(20, 60), {255, 230, 0}));
 }
 
-TEST(DrawOverlay, TentativeLinksAndContoursAreFadedAndTheirNodesUnmarked) {
+TEST(DrawOverlay, TentativeLinksContoursAndTextureAreFadedAndTheirNodesUnmarked) {
   PictureOptions options;
   options.scale = 1;
+  options.detail = Detail::kAll;
   DrawingGraph tentative = HorizontalLink();
   tentative.links[0].tentative = true;
   DrawingGraph contour = HorizontalLink();
   contour.links[0].kind = LinkKind::kContour;
-  for (const DrawingGraph& graph : {tentative, contour}) {
+  DrawingGraph texture = HorizontalLink();
+  texture.links[0].kind = LinkKind::kTexture;
+  for (const DrawingGraph& graph : {tentative, contour, texture}) {
     const Picture picture = DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, graph, options);
     EXPECT_FALSE(IsColor(picture.At(50, 60), ColorOfCurve(0)));
     EXPECT_FALSE(IsColor(picture.At(50, 60), {55, 55, 55}));
@@ -145,6 +148,59 @@ TEST(DrawOverlay, MarksAreNotLargerThanTheirLinks) {
   };
   EXPECT_TRUE(is_marked(0.4));
   EXPECT_FALSE(is_marked(0.1));
+}
+
+TEST(DrawOverlay, TextureIsDrawnOnRequest) {
+  PictureOptions options;
+  options.scale = 1;
+  DrawingGraph texture = HorizontalLink();
+  texture.links[0].kind = LinkKind::kTexture;
+  const auto is_bare = [&] {
+    const Picture picture = DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, texture, options);
+    return IsColor(picture.At(50, 60), {55, 55, 55});
+  };
+  EXPECT_TRUE(is_bare());
+  options.detail = Detail::kAll;
+  EXPECT_FALSE(is_bare());
+}
+
+TEST(DrawOverlay, NodesAreThoseOfWhatIsDrawn) {
+  DrawingGraph graph = HorizontalLink();
+  for (const double y : {-0.1, 0.1}) {
+    DrawingLink stick = graph.links[0];
+    stick.kind = LinkKind::kTexture;
+    stick.node1 = static_cast<NodeId>(graph.nodes.size());
+    stick.points_in_world = {graph.nodes[0].position_in_world,
+                             graph.nodes[0].position_in_world + Eigen::Vector3d(0, y, 0)};
+    graph.nodes.emplace_back();
+    graph.nodes.back().position_in_world = stick.points_in_world.back();
+    stick.sigma = {0, 0};
+    graph.links.push_back(stick);
+  }
+  RebuildIncidence(&graph);
+  ASSERT_EQ(graph.nodes[0].kind, NodeKind::kJunction);
+  PictureOptions options;
+  options.scale = 1;
+  const auto is_end = [&] {
+    const Picture picture = DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, graph, options);
+    return IsColor(picture.At(20, 60), {255, 230, 0});
+  };
+  EXPECT_TRUE(is_end());
+  options.detail = Detail::kAll;
+  EXPECT_FALSE(is_end());
+}
+
+TEST(DrawOverlay, MarksCanBeLeftOut) {
+  PictureOptions options;
+  options.scale = 1;
+  const auto is_end = [&] {
+    const Picture picture =
+        DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, HorizontalLink(), options);
+    return IsColor(picture.At(20, 60), {255, 230, 0});
+  };
+  EXPECT_TRUE(is_end());
+  options.node_radius_px = 0;
+  EXPECT_FALSE(is_end());
 }
 
 TEST(DrawOverlay, RodsAreSeenByTheirOutlines) {

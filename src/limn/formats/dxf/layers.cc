@@ -19,8 +19,8 @@ int ColorOfClass(const std::string& primitive, DenseClass dense_class) {
   return hues.at(primitive) + 2 * static_cast<int>(dense_class);
 }
 
-// Unknown is gray.
-constexpr std::array<int, kNumLinkKinds> kColorOfKind = {9, kForeground, 30, 170, 200, 90};
+// Unknown is gray, texture dark gray.
+constexpr std::array<int, kNumLinkKinds> kColorOfKind = {9, kForeground, 30, 170, 200, 90, 8};
 
 // Hues of neighboring numbers are far apart: 7 and 24 have no common divisor.
 int ColorOfComponent(int component) { return 10 + 10 * (component * 7 % 24); }

@@ -14,7 +14,7 @@ enum class DxfLayers {
   // "line", "arc", "circle", "spline", "polyline" (links without a primitive); after drawing_fuser
   // with the class appended: "line_boundary".
   kClass,
-  // A layer per kind of edge: "edge", "paint", "shadow", "contour", "rod", "unknown".
+  // A layer per kind of edge: "edge", "paint", "shadow", "contour", "rod", "texture", "unknown".
   kKind,
   // A layer per connected component: "component_1" is the longest.
   kComponent,

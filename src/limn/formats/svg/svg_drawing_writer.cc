@@ -136,6 +136,7 @@ class SvgWriter {
       PutRule(".kind-shadow", "#56b4e9");
       PutRule(".kind-contour", "#cc79a7");
       PutRule(".kind-rod", "#009e73");
+      PutRule(".kind-texture", "#bbb");
     }
     out_ << "</style>\n";
   }

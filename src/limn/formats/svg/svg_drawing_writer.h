@@ -22,8 +22,8 @@ namespace limn {
 //                       parts and one with class "hidden" for the others. Classes: line, arc,
 //                       circle, spline or polyline (no shape known); surface, boundary, free or
 //                       unknown (only after drawing_fuser); kind-edge, kind-paint, kind-shadow,
-//                       kind-contour or kind-rod where known; tentative. Rods have their radius as
-//                       data-radius, in units of the drawing
+//                       kind-contour, kind-rod or kind-texture where known; tentative. Rods have
+//                       their radius as data-radius, in units of the drawing
 //   <g id="junctions">  <circle id="node_<id>"> per junction at which a link is visible
 //   <g id="section">    only with a section: a thick <path> per line in which faces are cut, with
 //                       class "closed" or "open", and a <circle> where a link is cut

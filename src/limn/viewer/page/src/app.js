@@ -94,6 +94,7 @@ export class App {
     const look = (view) => this.lookThrough(view);
     this.drawingPanel = new DrawingPanel(drawing, this.schemes, this.layers.list, {
       scheme: (id) => this.setScheme(id),
+      detail: (detail) => this.setDetail(detail),
       layer: (id, shown) => this.setLayer(id, shown),
       category: (type, shown) => this.setCategory(type, shown),
     });
@@ -241,8 +242,19 @@ export class App {
   setScheme(id) {
     this.scheme = this.schemes.find((scheme) => scheme.id === id);
     this.drawing.visible.set(this.drawing.shownAtFirst());
-    this.layers.curves.showLinks();
+    this.showLinks();
     this.recolor();
+  }
+
+  setDetail(detail) {
+    this.drawing.detail = detail;
+    this.setScheme(this.scheme.id);
+  }
+
+  // When others are visible.
+  showLinks() {
+    this.layers.curves.showLinks();
+    this.layers.showNodes();
     this.stage.change();
   }
 
@@ -270,8 +282,7 @@ export class App {
     this.legend.types.forEach((of, link) => {
       if (of === type) this.drawing.visible[link] = shown ? 1 : 0;
     });
-    this.layers.curves.showLinks();
-    this.stage.change();
+    this.showLinks();
   }
 
   setLayer(id, shown) {

@@ -1,6 +1,6 @@
 // What the drawing is colored by, and the legend of it.
 
-import { DENSE_CLASSES, LINK_KINDS, PRIMITIVES } from './drawing.js';
+import { DENSE_CLASSES, LINK_KINDS, PRIMITIVES, TEXTURE } from './drawing.js';
 import { number } from './format.js';
 
 // Middling lightness: readable on white and on black.
@@ -18,6 +18,7 @@ const CATEGORIES = [
   [196, 95, 214],
   [47, 174, 96],
   [176, 160, 32],
+  [168, 160, 148], // texture: muted
   [190, 66, 66],
 ];
 const GOLDEN_RATIO = 0.6180339887498949;
@@ -118,7 +119,11 @@ function byCategory(drawing, types, names) {
 
 function byOwnColor(drawing) {
   return {
-    colors: fillLinks(drawing, (link) => drawing.linkColor.subarray(3 * link, 3 * link + 3)),
+    colors: fillLinks(drawing, (link) =>
+      drawing.linkKind[link] === TEXTURE
+        ? CATEGORIES[TEXTURE]
+        : drawing.linkColor.subarray(3 * link, 3 * link + 3),
+    ),
     legend: { note: 'One color per curve, as in drawing.ply and the overlays.' },
   };
 }

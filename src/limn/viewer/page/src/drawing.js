@@ -7,12 +7,19 @@ import { storedDimensions } from './dimensions.js';
 export const PRIMITIVES = ['none', 'line', 'arc', 'spline', 'circle'];
 export const DENSE_CLASSES = ['unknown', 'surface', 'boundary', 'free'];
 // Of edges, as LinkKind; tentative links are a category of their own in legends.
-export const LINK_KINDS = ['unknown', 'edge', 'paint', 'shadow', 'contour', 'rod', 'tentative'];
-// Those that a user can set.
-export const NUM_KINDS = 5;
+export const LINK_KINDS = [
+  ...['unknown', 'edge', 'paint', 'shadow', 'contour', 'rod', 'texture'],
+  'tentative',
+];
 const CONTOUR = 4;
 export const ROD = 5;
-const TENTATIVE = 6;
+export const TEXTURE = 6;
+const TENTATIVE = 7;
+// Those that a user can set.
+export const KINDS_TO_SET = LINK_KINDS.filter((_, kind) => kind !== ROD && kind !== TENTATIVE);
+// How much is shown: long curves only, all but texture, all.
+export const DETAILS = ['coarse', 'normal', 'all'];
+const COARSE_CURVE_PX = 80; // as in link_selection.cc
 export const NODE_KINDS = ['end', 'junction', 'loop anchor'];
 export const JUNCTION = 1;
 
@@ -116,6 +123,7 @@ export class Drawing {
     this.sortKinds();
     this.countDegrees();
     this.hasKinds = this.kindCategory.some((kind) => kind !== 0);
+    this.detail = header.detail;
     this.visible = this.shownAtFirst();
     this.box = robustBox(arrays.points);
     this.radius = Math.max(0.5 * this.box.getSize(new Vector3()).length(), 1e-12);
@@ -152,9 +160,28 @@ export class Drawing {
     return this.isShown(link) || this.isGhost(link);
   }
 
-  // All links but outlines of smooth bodies and tentative ones, as in exports.
+  // All links but outlines of smooth bodies and tentative ones, as in exports, at this detail.
   shownAtFirst() {
-    return this.kindCategory.map((kind) => (kind === CONTOUR || kind === TENTATIVE ? 0 : 1));
+    return this.kindCategory.map((kind, link) =>
+      kind === CONTOUR || kind === TENTATIVE || !this.isOfDetail(link) ? 0 : 1,
+    );
+  }
+
+  // Curves of unknown length count as long.
+  isOfDetail(link) {
+    if (this.detail === 'all') return true;
+    if (this.linkKind[link] === TEXTURE) return false;
+    const length = this.linkCurvePx[link];
+    return this.detail !== 'coarse' || length === 0 || length >= COARSE_CURVE_PX;
+  }
+
+  // Numbers of ends of links that are shown, at nodes.
+  shownDegrees() {
+    const degrees = new Uint32Array(this.numNodes);
+    this.linkNodes.forEach((node, end) => {
+      if (this.isShown(end >> 1)) ++degrees[node];
+    });
+    return degrees;
   }
 
   // First vertex of a link, and the first that is no longer its own.
@@ -255,6 +282,7 @@ export class Drawing {
       'linkResidual',
       'linkKind',
       'kindConfidence',
+      'linkCurvePx',
       'linkTentative',
       'rodRadius',
     ]) {

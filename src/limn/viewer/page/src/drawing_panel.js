@@ -2,8 +2,14 @@
 
 import { css } from './colors.js';
 import { facts, make } from './dom.js';
-import { JUNCTION } from './drawing.js';
+import { DETAILS, JUNCTION } from './drawing.js';
 import { coordinates, count, number, percent } from './format.js';
+
+const DETAIL_TEXTS = {
+  coarse: 'long curves only',
+  normal: 'all but texture',
+  all: 'texture, too',
+};
 
 const squareOf = (unit) => (unit === 'm' ? 'm²' : `square ${unit}`);
 
@@ -73,7 +79,7 @@ function measurement(drawing, result) {
 }
 
 export class DrawingPanel {
-  // on.scheme(id), on.layer(id, shown), on.category(type, shown).
+  // on.scheme(id), on.detail(detail), on.layer(id, shown), on.category(type, shown).
   constructor(drawing, schemes, layers, on) {
     this.drawing = drawing;
     this.on = on;
@@ -95,10 +101,31 @@ export class DrawingPanel {
         {},
         make('h2', {}, make('label', { for: 'scheme' }, 'Color by')),
         make('div', { class: 'field' }, this.select, this.legend),
+        make('h2', {}, make('label', { for: 'detail' }, 'Detail')),
+        ...this.detailSlider(),
         make('h2', {}, 'Layers'),
         make('div', { role: 'group', 'aria-label': 'Layers' }, ...boxes),
       ),
     ];
+  }
+
+  detailSlider() {
+    const slider = make('input', {
+      ...{ type: 'range', id: 'detail', min: '0', max: String(DETAILS.length - 1), step: '1' },
+      oninput: () => {
+        show();
+        this.on.detail(DETAILS[slider.value]);
+      },
+    });
+    const name = make('span', { class: 'faint', id: 'detail-name' });
+    const show = () => {
+      const detail = DETAILS[slider.value];
+      name.textContent = `${detail}: ${DETAIL_TEXTS[detail]}`;
+      slider.setAttribute('aria-valuetext', detail);
+    };
+    slider.value = String(DETAILS.indexOf(this.drawing.detail));
+    show();
+    return [make('div', { class: 'field' }, slider, name)];
   }
 
   layerBox({ id, shown }) {

@@ -1,16 +1,16 @@
 // What keys and the buttons of the tab "Edit" do: {keys, label, button, run}.
 
-import { LINK_KINDS, NUM_KINDS } from './drawing.js';
+import { KINDS_TO_SET, LINK_KINDS } from './drawing.js';
 
 export function editCommands(editor) {
   const tool = (keys, id, button, label) => ({
     ...{ keys, button, label },
     run: () => editor.pointing.toggle(id),
   });
-  const kinds = LINK_KINDS.slice(0, NUM_KINDS).map((name, kind) => ({
-    keys: [String(kind)],
+  const kinds = KINDS_TO_SET.map((name) => ({
+    keys: [String(LINK_KINDS.indexOf(name))],
     label: `set the kind: ${name}`,
-    run: () => editor.setKind(kind),
+    run: () => editor.setKind(LINK_KINDS.indexOf(name)),
   }));
   return [
     tool(['o'], 'box', 'Box', 'select with a box; dragged to the left, all it touches'),

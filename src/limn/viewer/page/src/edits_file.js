@@ -1,13 +1,12 @@
 // edits.json: what `limn drawing_editor --edits` reads.
 
-import { LINK_KINDS, NUM_KINDS } from './drawing.js';
+import { KINDS_TO_SET, LINK_KINDS } from './drawing.js';
 import * as make from './edits.js';
 import { LinkFinder, shiftShown } from './link_refs.js';
 
 const FORMAT = 'limn_edits';
 const VERSION = 1;
 const MOST_POINTS = 16;
-const KINDS = LINK_KINDS.slice(0, NUM_KINDS);
 
 const endsOf = ({ refs, ends }) => refs.map((link, i) => ({ link, end: ends[i] }));
 const pinsOf = ({ refs, at }) => refs.map((link, i) => ({ link, at: at[i] }));
@@ -15,7 +14,7 @@ const pinsOf = ({ refs, at }) => refs.map((link, i) => ({ link, at: at[i] }));
 const MEMBERS = {
   delete: ({ refs }) => ({ links: refs }),
   restore: ({ refs }) => ({ links: refs }),
-  set_kind: ({ refs, kind }) => ({ links: refs, kind: KINDS[kind] }),
+  set_kind: ({ refs, kind }) => ({ links: refs, kind: LINK_KINDS[kind] }),
   split: ({ refs, at }) => ({ link: refs[0], at }),
   join: (edit) => ({ ends: endsOf(edit) }),
   merge: ({ refs }) => ({ links: refs }),
@@ -87,7 +86,8 @@ const CHECKS = {
   restore: (json, place) => checkLinks(json.links, `${place}.links`),
   set_kind(json, place) {
     checkLinks(json.links, `${place}.links`);
-    check(KINDS.includes(json.kind), `${place}.kind`, `must be one of ${KINDS.join(', ')}`);
+    const isKind = KINDS_TO_SET.includes(json.kind);
+    check(isKind, `${place}.kind`, `must be one of ${KINDS_TO_SET.join(', ')}`);
   },
   split(json, place) {
     checkRef(json.link, `${place}.link`);
@@ -141,7 +141,7 @@ const RESOLVE = {
   delete: (drawing, find, { links }) => make.deletion(drawing, links.map(find), links),
   restore: (drawing, find, { links }) => make.firming(drawing, links.map(find), links),
   set_kind: (drawing, find, { links, kind }) =>
-    make.kindChange(drawing, links.map(find), KINDS.indexOf(kind), links),
+    make.kindChange(drawing, links.map(find), LINK_KINDS.indexOf(kind), links),
   split(drawing, find, { link, at }) {
     const refs = [link];
     const edit = make.splitting(drawing, find(link), drawing.fromModel(at), refs);

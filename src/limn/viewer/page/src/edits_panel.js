@@ -2,15 +2,14 @@
 
 import { make } from './dom.js';
 import { distanceOf } from './dimensions.js';
-import { LINK_KINDS, NUM_KINDS } from './drawing.js';
+import { KINDS_TO_SET, LINK_KINDS } from './drawing.js';
 import { textOf } from './edits.js';
 import { count, number } from './format.js';
 
 const LATEST = 12;
-const KIND_NAMES = LINK_KINDS.slice(0, NUM_KINDS);
 
-function selectOf(id, names) {
-  const options = names.map((name, index) => make('option', { value: index }, name));
+function selectOfKinds(id, names) {
+  const options = names.map((name) => make('option', { value: LINK_KINDS.indexOf(name) }, name));
   return make('select', { id }, ...options);
 }
 
@@ -47,7 +46,7 @@ export class EditsPanel {
   }
 
   selecting() {
-    this.kindToPick = selectOf('pick-kind', LINK_KINDS);
+    this.kindToPick = selectOfKinds('pick-kind', LINK_KINDS);
     this.kindToPick.setAttribute('aria-label', 'Kind of the links to select');
     const ofKind = () => this.on.selectKind(Number(this.kindToPick.value));
     this.length = make('input', {
@@ -80,7 +79,7 @@ export class EditsPanel {
   }
 
   changing() {
-    this.kindToSet = selectOf('set-kind', KIND_NAMES);
+    this.kindToSet = selectOfKinds('set-kind', KINDS_TO_SET);
     this.kindToSet.setAttribute('aria-label', 'Kind to set');
     this.setKind = make(
       'button',

@@ -2,7 +2,6 @@
 
 import { Cloud } from './cloud.js';
 import { Curves } from './curves.js';
-import { JUNCTION } from './drawing.js';
 import { Faces } from './faces.js';
 import { Frusta } from './frusta.js';
 import { Markers } from './markers.js';
@@ -12,12 +11,14 @@ const END_LOOK = { size: 6, fill: '#ffd23c', rim: '#20242a' };
 
 const HIDDEN_AT_FIRST = ['ends', 'hiding'];
 
-function positionsOf(drawing, passes) {
+const isJunction = (degree) => degree >= 3;
+const isEnd = (degree) => degree > 0 && !isJunction(degree);
+
+function positionsOf(drawing, degrees, passes) {
   const positions = [];
-  for (let node = 0; node < drawing.numNodes; ++node) {
-    if (drawing.degree[node] === 0) continue;
-    if (passes(drawing.nodeKind[node])) positions.push(...drawing.node(node).toArray());
-  }
+  degrees.forEach((degree, node) => {
+    if (passes(degree)) positions.push(...drawing.node(node).toArray());
+  });
   return positions;
 }
 
@@ -63,11 +64,11 @@ export class Layers {
     ];
   }
 
-  // Call it when nodes have other links.
+  // Nodes of what is shown. Call it when they have other links, or when others are shown.
   showNodes() {
-    const isJunction = (kind) => kind === JUNCTION;
-    this.junctions.setPositions(positionsOf(this.drawing, isJunction));
-    this.ends.setPositions(positionsOf(this.drawing, (kind) => !isJunction(kind)));
+    const degrees = this.drawing.shownDegrees();
+    this.junctions.setPositions(positionsOf(this.drawing, degrees, isJunction));
+    this.ends.setPositions(positionsOf(this.drawing, degrees, isEnd));
   }
 
   set(id, shown) {
