@@ -23,7 +23,7 @@ constexpr double kSoftOffset = -1.94;
 constexpr double kMaxShadowChroma = 0.3;
 // A shadow's ratio of light is nearly the same at neighboring places; that of soft texture is not.
 constexpr double kMaxShadowUnevenness = 0.1;
-// A cast shadow, but for gaps of what casts it.
+// A cast shadow has more of its length behind other links; the rest is gaps in what casts it.
 constexpr double kMinShareBehind = 0.6;
 // The light of the scene changes if sides of links differ by this between views that are exposed
 // alike; then a link whose sides do not differ in the views as they are is seen in one light only.

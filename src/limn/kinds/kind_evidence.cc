@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 
 namespace limn {
 namespace {
@@ -113,6 +114,22 @@ class SharpWidths {
   std::vector<float> widths_;
 };
 
+LogColor Combined(const LogColor& a, const LogColor& b, float weight_a, float weight_b) {
+  LogColor sum;
+  for (int c = 0; c < 3; ++c) sum[c] = weight_a * a[c] + weight_b * b[c];
+  return sum;
+}
+
+// Calls `visit` with the profiles of each link; those of one link are together.
+template <typename Visit>
+void ForEachLink(const std::vector<LinkProfile>& profiles, const Visit& visit) {
+  for (size_t begin = 0, end = 0; begin < profiles.size(); begin = end) {
+    for (end = begin + 1; end < profiles.size() && profiles[end].link == profiles[begin].link;)
+      ++end;
+    visit(std::span(profiles).subspan(begin, end - begin));
+  }
+}
+
 // Exposure and white balance of each view, as logarithms: how much brighter it shows what other
 // views show, too, the median over the links.
 std::vector<LogColor> ExposuresOf(size_t num_links,
@@ -123,25 +140,24 @@ std::vector<LogColor> ExposuresOf(size_t num_links,
   };
   std::vector<std::vector<Shown>> shown(num_links);
   for (size_t v = 0; v < profiles_of_view.size(); ++v) {
-    for (const LinkProfile& profile : profiles_of_view[v]) {
-      const LogColor left = LogOf(profile.profile.left);
-      const LogColor right = LogOf(profile.profile.right);
-      LogColor mean;
-      for (int c = 0; c < 3; ++c) mean[c] = (left[c] + right[c]) / 2;
-      shown[profile.link].push_back({v, mean});
-    }
+    std::vector<LogColor> colors;
+    ForEachLink(profiles_of_view[v], [&](std::span<const LinkProfile> profiles) {
+      colors.clear();
+      for (const LinkProfile& profile : profiles) {
+        const LogColor left = LogOf(profile.profile.left);
+        const LogColor right = LogOf(profile.profile.right);
+        colors.push_back(Combined(left, right, 0.5F, 0.5F));
+      }
+      shown[profiles.front().link].push_back({v, MedianOf(colors)});
+    });
   }
   std::vector<std::vector<LogColor>> brighter(profiles_of_view.size());
   for (const std::vector<Shown>& link : shown) {
-    if (link.empty()) continue;
+    if (link.size() < 2) continue;
     std::vector<LogColor> colors;
     for (const Shown& one : link) colors.push_back(one.color);
     const LogColor middle = MedianOf(colors);
-    for (const Shown& one : link) {
-      LogColor difference;
-      for (int c = 0; c < 3; ++c) difference[c] = one.color[c] - middle[c];
-      brighter[one.view].push_back(difference);
-    }
+    for (const Shown& one : link) brighter[one.view].push_back(Combined(one.color, middle, 1, -1));
   }
   std::vector<LogColor> exposures(profiles_of_view.size(), LogColor{});
   for (size_t v = 0; v < brighter.size(); ++v) {
@@ -212,7 +228,7 @@ class Gatherer {
   // Colors of the views as with the same exposure.
   std::vector<LogColor> Exposed(std::vector<LogColor> colors) const {
     for (size_t v = 0; v < colors.size(); ++v) {
-      for (int c = 0; c < 3; ++c) colors[v][c] -= exposures_[v][c];
+      colors[v] = Combined(colors[v], exposures_[v], 1, -1);
     }
     return colors;
   }
@@ -234,13 +250,11 @@ std::vector<KindEvidence> GatherEvidence(
   for (size_t v = 0; v < profiles_of_view.size(); ++v) {
     const std::vector<LinkProfile>& profiles = profiles_of_view[v];
     const SharpWidths sharp(profiles);
-    for (size_t k = 0; k < profiles.size(); ++k) {
-      const LinkProfile& profile = profiles[k];
-      gatherers[profile.link].Add(profile, sharp.At(profile.depth));
-      if (k + 1 == profiles.size() || profiles[k + 1].link != profile.link) {
-        gatherers[profile.link].EndView(exposures[v]);
-      }
-    }
+    ForEachLink(profiles, [&](std::span<const LinkProfile> of_link) {
+      Gatherer& gatherer = gatherers[of_link.front().link];
+      for (const LinkProfile& profile : of_link) gatherer.Add(profile, sharp.At(profile.depth));
+      gatherer.EndView(exposures[v]);
+    });
   }
   std::vector<KindEvidence> evidence;
   evidence.reserve(num_links);

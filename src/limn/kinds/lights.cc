@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <utility>
 
+#include "limn/geometry/tangent_frame.h"
 #include "limn/util/angles.h"
 #include "limn/util/median.h"
 
@@ -45,6 +48,8 @@ constexpr double kCellLength = 4;
 constexpr double kMinSine = 0.25;
 // A surface that light grazes is not lit.
 constexpr double kMinLit = 0.2;
+// Of the distance between the light and the middle of the scene.
+constexpr double kMinDepth = 0.05;
 
 // Directions evenly over the sphere: a spiral of golden angles.
 std::vector<Eigen::Vector3d> Sphere(int count) {
@@ -58,18 +63,18 @@ std::vector<Eigen::Vector3d> Sphere(int count) {
   return directions;
 }
 
-std::array<Eigen::Vector3d, 2> AcrossOf(const Eigen::Vector3d& direction) {
-  const Eigen::Vector3d first = direction.unitOrthogonal();
-  return {first, direction.cross(first)};
-}
-
 // From a place to the light, unit.
 Eigen::Vector3d DirectionFrom(const LitPlace& place, const Light& light, const LitScene& scene) {
   const double nearness = light.inverse_distance / scene.radius;
   return (light.direction - nearness * (place.position_in_world - scene.center)).normalized();
 }
 
-// A place in a cell of position and direction.
+// The side that the views see; surfaces of no plane have no angle that could be too small.
+bool IsLit(const LitPlace& place, const Eigen::Vector3d& towards_light) {
+  return place.normal.isZero() || place.normal.dot(towards_light) > (place.on_plane ? kMinLit : 0);
+}
+
+// A place in a cell of position and direction. By cell, the places nearest to the light first.
 struct Filed {
   uint64_t cell = 0;
   double height = 0;
@@ -94,9 +99,10 @@ uint64_t CellOf(const PlaceFromLight& seen, double width) {
          static_cast<uint64_t>(bin);
 }
 
-// Places that lie behind another link in their cell. Where things lie at more than two heights in
+// Places that lie behind other links in their cell. Where things lie at more than two heights in
 // one cell the light looks along a surface.
-std::vector<int> Behind(const Light& light, const LitScene& scene, double width_px, int stride) {
+std::vector<int> PlacesBehind(const Light& light, const LitScene& scene, double width_px,
+                              int stride) {
   std::vector<Filed> filed;
   std::vector<uint8_t> is_lit(scene.places.size(), 0);
   for (size_t k = 0; k < scene.places.size(); k += stride) {
@@ -109,18 +115,20 @@ std::vector<int> Behind(const Light& light, const LitScene& scene, double width_
   const double gap = kMinCastPx * scene.footprint;
   std::vector<int> behind;
   for (size_t begin = 0, end = 0; begin < filed.size(); begin = end) {
+    size_t lower = begin;  // the first place below the gap
     int num_heights = 1;
     for (end = begin + 1; end < filed.size() && filed[end].cell == filed[begin].cell; ++end) {
-      num_heights += filed[end - 1].height - filed[end].height > gap ? 1 : 0;
+      if (filed[end - 1].height - filed[end].height <= gap) continue;
+      lower = end;
+      ++num_heights;
     }
     if (num_heights != 2) continue;
-    const LinkId nearest = scene.places[filed[begin].place].link;
-    for (size_t k = begin + 1; k < end; ++k) {
-      const int place = filed[k].place;
-      if (is_lit[place] != 0 && scene.places[place].link != nearest &&
-          filed[begin].height - filed[k].height > gap) {
-        behind.push_back(place);
-      }
+    for (size_t k = lower; k < end; ++k) {
+      const LitPlace& place = scene.places[filed[k].place];
+      const bool is_covered = std::any_of(
+          filed.begin() + begin, filed.begin() + lower,
+          [&](const Filed& above) { return scene.places[above.place].link != place.link; });
+      if (is_lit[filed[k].place] != 0 && is_covered) behind.push_back(filed[k].place);
     }
   }
   return behind;
@@ -128,10 +136,10 @@ std::vector<int> Behind(const Light& light, const LitScene& scene, double width_
 
 struct Candidate {
   Light light;
-  double score = 0;  // number of places behind others
+  int score = 0;  // number of places behind others
 };
 
-// The best ones, best first, apart from each other in direction; none without a score.
+// The best ones, best first, apart from each other in direction. A score of 0 is none.
 std::vector<Candidate> BestApart(std::vector<Candidate> candidates, size_t max_count) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
@@ -145,15 +153,17 @@ std::vector<Candidate> BestApart(std::vector<Candidate> candidates, size_t max_c
   return best;
 }
 
-double FineScore(const Light& light, const LitScene& scene) {
-  return static_cast<double>(Behind(light, scene, kFinePx, 1).size());
+int FineScore(const Light& light, const LitScene& scene) {
+  return static_cast<int>(PlacesBehind(light, scene, kFinePx, 1).size());
 }
 
 // Places behind others, of links that are behind others over half of their length: by accident
 // links are crossed and touched, but seldom covered.
 int NumOnCoveredLinks(const Light& light, const LitScene& scene) {
   std::vector<int> num_behind(scene.num_places_of_link.size(), 0);
-  for (const int place : Behind(light, scene, kFinePx, 1)) ++num_behind[scene.places[place].link];
+  for (const int place : PlacesBehind(light, scene, kFinePx, 1)) {
+    ++num_behind[scene.places[place].link];
+  }
   int num_on_covered = 0;
   for (size_t l = 0; l < num_behind.size(); ++l) {
     const int num_places = scene.num_places_of_link[l];
@@ -171,7 +181,7 @@ bool LightsSurfaces(const Light& light, const LitScene& scene) {
     const LitPlace& place = scene.places[k];
     if (place.normal.isZero()) continue;
     ++num_known;
-    num_lit += place.normal.dot(DirectionFrom(place, light, scene)) > kMinLit ? 1 : 0;
+    num_lit += IsLit(place, DirectionFrom(place, light, scene)) ? 1 : 0;
   }
   return num_lit >= kMinLitShare * num_known;
 }
@@ -186,8 +196,8 @@ std::vector<Candidate> CoarseCandidates(const LitScene& scene, const RunContext&
   }
   ParallelFor(context, "lights", all.size(), [&](size_t k) {
     if (!LightsSurfaces(all[k].light, scene)) return;
-    const size_t num_behind = Behind(all[k].light, scene, kCoarsePx, kCoarseStride).size();
-    all[k].score = static_cast<double>(num_behind);
+    all[k].score =
+        static_cast<int>(PlacesBehind(all[k].light, scene, kCoarsePx, kCoarseStride).size());
   });
   return BestApart(std::move(all), kNumCandidates);
 }
@@ -209,23 +219,24 @@ constexpr std::array<std::array<double, 3>, 14> kMoves = {{{1, 0, 0},
                                                            {0, -1, 1}}};
 
 Light Moved(const Light& light, double first, double second, double inverse) {
-  const auto across = AcrossOf(light.direction);
-  return {(light.direction + first * across[0] + second * across[1]).normalized(),
+  const auto across = TangentFrame(light.direction);
+  return {(light.direction + across * Eigen::Vector2d(first, second)).normalized(),
           std::clamp(light.inverse_distance + inverse, 0.0, kMaxInverseDistance)};
 }
 
 // Moved to where narrow cells agree most.
-Candidate Refined(const Light& from, const LitScene& scene) {
+Candidate Refined(const Light& from, const LitScene& scene, const RunContext& context) {
   Candidate best = {from, FineScore(from, scene)};
   for (double step = kFirstStepRad; step > kLastStepRad;) {
+    ThrowIfCancelled(context);
     const Candidate before = best;
     for (const auto& [first, second, inverse] : kMoves) {
       const Light moved =
           Moved(before.light, step * first, step * second, kInversePerRad * step * inverse);
-      const double score = FineScore(moved, scene);
+      const int score = FineScore(moved, scene);
       if (score > best.score) best = {moved, score};
     }
-    if (!(best.score > before.score)) step /= 2;
+    if (best.score == before.score) step /= 2;
   }
   return best;
 }
@@ -239,10 +250,11 @@ int NumAlong(const Light& light, const LitScene& scene) {
   return num_along;
 }
 
-bool IsPeak(const Light& light, const LitScene& scene) {
+bool IsPeak(const Light& light, const LitScene& scene, const RunContext& context) {
   const int num_here = NumOnCoveredLinks(light, scene);
   if (num_here < kMinMore || NumAlong(light, scene) > kMaxAlongShare * num_here) return false;
   for (const double radius : kRingRad) {
+    ThrowIfCancelled(context);
     for (int k = 0; k < kNumOnRing; ++k) {
       const double angle = 2 * std::numbers::pi * k / kNumOnRing;
       const Light beside = Moved(light, radius * std::cos(angle), radius * std::sin(angle), 0);
@@ -285,32 +297,30 @@ LitScene LitSceneOf(std::vector<LitPlace> places) {
 
 std::optional<PlaceFromLight> SeeFrom(const Light& light, const LitScene& scene,
                                       const LitPlace& place) {
-  const auto across = AcrossOf(light.direction);
+  const Eigen::Vector3d towards_light = DirectionFrom(place, light, scene);
+  if (place.tangent.cross(towards_light).norm() < kMinSine) return std::nullopt;
+  const auto across = TangentFrame(light.direction);
   const Eigen::Vector3d offset = place.position_in_world - scene.center;
   const double nearness = light.inverse_distance / scene.radius;
   PlaceFromLight seen;
   seen.height = offset.dot(light.direction);
   const double depth = 1 - nearness * seen.height;
-  if (depth < 0.05) return std::nullopt;
-  const double turn = nearness * place.tangent.dot(light.direction) / depth;
-  for (int k = 0; k < 2; ++k) {
-    seen.position[k] = offset.dot(across[k]) / depth;
-    seen.tangent[k] = place.tangent.dot(across[k]) + seen.position[k] * turn;
-  }
-  const double sine = seen.tangent.norm();
-  if (sine < kMinSine) return std::nullopt;
-  seen.tangent /= sine;
-  const double cosine = place.normal.dot(DirectionFrom(place, light, scene));
-  seen.is_lit = place.normal.isZero() || cosine > (place.on_plane ? kMinLit : 0);
+  if (!(depth >= kMinDepth)) return std::nullopt;
+  seen.position = across.transpose() * offset / depth;
+  seen.tangent = (across.transpose() * place.tangent +
+                  nearness * place.tangent.dot(light.direction) * seen.position)
+                     .normalized();
+  seen.footprint = place.footprint / depth;
+  seen.is_lit = IsLit(place, towards_light);
   return seen;
 }
 
 std::vector<Light> FindLights(const LitScene& scene, const RunContext& context) {
-  if (std::ssize(scene.places) < kMinMore) return {};
+  if (std::ssize(scene.places) < kMinMore || !(scene.radius > 0)) return {};
   std::vector<Candidate> found = CoarseCandidates(scene, context);
   ParallelFor(context, "lights", found.size(), [&](size_t k) {
-    found[k] = Refined(found[k].light, scene);
-    if (!IsPeak(found[k].light, scene)) found[k].score = 0;
+    found[k] = Refined(found[k].light, scene, context);
+    if (!IsPeak(found[k].light, scene, context)) found[k].score = 0;
   });
   std::vector<Light> lights;
   for (const Candidate& candidate : BestApart(std::move(found), kMaxLights)) {

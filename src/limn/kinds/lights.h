@@ -33,11 +33,13 @@ struct PlaceFromLight {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // world units at the scene's center
   Eigen::Vector2d tangent = Eigen::Vector2d::Zero();   // unit
   double height = 0;                                   // towards the light, world units
+  double footprint = 0;                                // of the place, in the units of `position`
   // The light falls on the surface from the side that the views see, and does not graze it.
   bool is_lit = false;
 };
 
-// Nothing if the place is beside or behind the light, or its link runs along the ray.
+// Nothing if the place is beside or behind the light, or its link runs along the ray. Precondition:
+// the scene has a radius.
 std::optional<PlaceFromLight> SeeFrom(const Light& light, const LitScene& scene,
                                       const LitPlace& place);
 
@@ -46,10 +48,10 @@ constexpr double kMinCastPx = 12;
 // A link of fewer places does not tell.
 constexpr int kMinPlacesToTell = 3;
 
-// The lights of a scene, strongest first, at most three: seen from there, twice as many links lie
-// behind others, on lines that coincide, than from all around (ours;
-// algorithm/kinds.md#cast-shadows). None if that is so from nowhere. Time: 3,600 directions and
-// distances, n log n in the number of places for each.
+// The lights of a scene, at most three: seen from there, twice as many places are on links that lie
+// behind others, on lines that coincide, than from any direction around (ours;
+// algorithm/kinds.md#cast-shadows). None if that is so from nowhere. Time: up to 3,600 directions
+// and distances, and some hundred around the best ones, n log n in the number of places for each.
 std::vector<Light> FindLights(const LitScene& scene, const RunContext& context);
 
 }  // namespace limn

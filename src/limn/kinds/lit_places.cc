@@ -11,7 +11,6 @@
 namespace limn {
 namespace {
 
-constexpr double kStepPx = 6;
 // The surface of a place is that of the places within this distance, px. It is a plane if they
 // spread by at least 8 px along it, and most of them are within 6 px of it.
 constexpr double kAroundPx = 60;
@@ -26,7 +25,7 @@ std::vector<LitPlace> Sample(const DrawingGraph& graph, const std::vector<View>&
     const DrawingLink& link = graph.links[l];
     const double footprint = LinkFootprint(link, views);
     if (link.tentative || !(footprint > 0)) continue;
-    const Polyline3d points = ResampleUniform(link.points_in_world, kStepPx * footprint);
+    const Polyline3d points = ResampleUniform(link.points_in_world, kPlaceStepPx * footprint);
     for (size_t k = 0; k + 1 < points.size(); ++k) {
       const Eigen::Vector3d along = points[k + 1] - points[k];
       places.push_back({static_cast<LinkId>(l), 0.5 * (points[k] + points[k + 1]),

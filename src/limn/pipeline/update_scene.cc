@@ -421,14 +421,18 @@ class SceneUpdater {
     MeasureCurves(input_.views, &graph);
     graph = RefitPrimitives(graph, changed, input_.views, options_.primitives, context_);
     if (!input_.images.read) return graph;
-    // Light variation and sharpness are measured on all links.
+    // Light, exposure and sharpness are measured on all links.
     KindsResult kinds = ClassifyKinds({input_.views, input_.images.read, graph}, context_);
     if (input_.images.release) input_.images.release();
     for (size_t l = 0; l < graph.links.size(); ++l) {
-      // What is texture depends on what is new around it.
-      if (!changed[l] && graph.links[l].kind != LinkKind::kTexture) continue;
-      graph.links[l].kind = kinds.graph.links[l].kind;
-      graph.links[l].kind_confidence = kinds.graph.links[l].kind_confidence;
+      // What is texture or a cast shadow depends on other links, too.
+      DrawingLink& link = graph.links[l];
+      const DrawingLink& judged = kinds.graph.links[l];
+      const bool depends = link.kind == LinkKind::kTexture || link.kind == LinkKind::kShadow ||
+                           judged.kind == LinkKind::kShadow;
+      if (!changed[l] && !depends) continue;
+      link.kind = judged.kind;
+      link.kind_confidence = judged.kind_confidence;
     }
     MarkTexture(input_.views, &graph);
     return graph;

@@ -1,9 +1,11 @@
 #include "limn/kinds/cast_shadows.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -78,7 +80,7 @@ struct LitPlates {
   size_t first_mark = 0;
 };
 
-// The plates, their shadows on the ground and marks on it. Without `light`, no shadows.
+// The plates, their shadows on the ground and marks on it. Without `towards_light`, no shadows.
 LitPlates PlatesInLight(
     const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& towards_light) {
   LinkList links;
@@ -157,18 +159,61 @@ TEST(CastShadowsTest, WithoutShadowsThereIsNoLight) {
   EXPECT_TRUE(SharesOf({}).empty());
 }
 
-TEST(CastShadowsTest, PrismsAreNotLitInTheDirectionOfTheirEdges) {
+DrawingGraph Prisms(bool with_vertical_edges) {
   LinkList links;
   for (auto plate : Plates()) {
     for (Eigen::Vector3d& corner : plate) corner.z() = 0.6;
     links.AddQuad(plate);
     for (Eigen::Vector3d& corner : plate) {
-      links.Add(corner, {corner.x(), corner.y(), 0});
+      if (with_vertical_edges) links.Add(corner, {corner.x(), corner.y(), 0});
       corner.z() = 0;
     }
     links.AddQuad(plate);
   }
-  EXPECT_TRUE(LightsOf(links.Graph()).empty());
+  return links.Graph();
+}
+
+TEST(CastShadowsTest, PrismsAreNotLitInTheDirectionOfTheirEdges) {
+  EXPECT_TRUE(LightsOf(Prisms(true)).empty());
+  EXPECT_EQ(LightsOf(Prisms(false)).size(), 1);
+}
+
+TEST(SeeFromTest, TangentsAreThoseOfThePositions) {
+  LitScene scene;
+  scene.radius = 2;
+  const Light lamp = {Eigen::Vector3d(0.3, -0.2, 0.9).normalized(), 0.8};
+  LitPlace place;
+  place.footprint = 0.01;
+  place.position_in_world = {0.7, 0.4, 0.5};
+  place.tangent = Eigen::Vector3d(0.3, 0.5, 0.8).normalized();
+  const auto seen = SeeFrom(lamp, scene, place);
+  ASSERT_TRUE(seen);
+  place.position_in_world += 1e-5 * place.tangent;
+  const auto ahead = SeeFrom(lamp, scene, place);
+  ASSERT_TRUE(ahead);
+  EXPECT_LT(((ahead->position - seen->position).normalized() - seen->tangent).norm(), 1e-3);
+  // Nearer to the light, pixels are larger for it.
+  EXPECT_GT(seen->height, 0);
+  EXPECT_GT(seen->footprint, place.footprint);
+  // Along the ray there is no direction.
+  place.tangent = (2.5 * lamp.direction - place.position_in_world).normalized();
+  EXPECT_FALSE(SeeFrom(lamp, scene, place));
+}
+
+TEST(PlacesOfLinksTest, SurfacesFaceTheViewsAndTentativeLinksAreLeftOut) {
+  DrawingGraph graph = PlatesInLight(nullptr).graph;
+  const size_t num_links = graph.links.size();
+  graph.links[0].tentative = true;
+  const std::vector<LitPlace> places = PlacesOfLinks(graph, DomeOfPlates(), {});
+  size_t num_on_plane = 0;
+  for (const LitPlace& place : places) {
+    EXPECT_NE(place.link, 0);
+    if (!place.on_plane) continue;
+    ++num_on_plane;
+    EXPECT_GT(place.normal.z(), 0.5);
+  }
+  EXPECT_GT(num_on_plane, places.size() / 4);
+  EXPECT_EQ(places.back().link, static_cast<LinkId>(num_links - 1));
 }
 
 // Tilted plates whose shadows fall on the ground are lit from above: seen from below, the plates
@@ -176,13 +221,17 @@ TEST(CastShadowsTest, PrismsAreNotLitInTheDirectionOfTheirEdges) {
 TEST(CastShadowsTest, LightFallsOnTheSideThatTheViewsSee) {
   const Eigen::Vector3d sun = Eigen::Vector3d(-0.3, 0.3, 0.9).normalized();
   const LitPlates lit = PlatesInLight([&](const Eigen::Vector3d&) { return sun; });
-  for (const Light& light : LightsOf(lit.graph)) EXPECT_GT(light.direction.z(), 0);
+  const std::vector<Light> lights = LightsOf(lit.graph);
+  ASSERT_FALSE(lights.empty());
+  for (const Light& light : lights) EXPECT_GT(light.direction.z(), 0);
 }
 
 TEST(CastShadowsTest, ThreadsDoNotMatter) {
   const Eigen::Vector3d sun = Eigen::Vector3d(0.5, -0.4, 0.8).normalized();
   const LitPlates lit = PlatesInLight([&](const Eigen::Vector3d&) { return sun; });
-  EXPECT_EQ(SharesOf(lit.graph, 1), SharesOf(lit.graph, 3));
+  const std::vector<double> shares = SharesOf(lit.graph, 1);
+  EXPECT_GT(shares[lit.first_shadow], 0.6);
+  EXPECT_EQ(shares, SharesOf(lit.graph, 3));
 }
 
 }  // namespace
