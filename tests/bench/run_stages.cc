@@ -3,6 +3,7 @@
 #include "limn/belief/link_judge.h"
 #include "limn/drawing/drawing.h"
 #include "limn/kinds/classify_kinds.h"
+#include "limn/kinds/texture.h"
 #include "limn/model/link_selection.h"
 #include "limn/pipeline/build_sketch.h"
 #include "limn/primitives/fit_primitives.h"
@@ -70,9 +71,17 @@ void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_imag
       Measure([&] { return FitPrimitives(rods.graph, scene.views, options.primitives, context); },
               as_seen, on_stage_end);
   if (!read_image) return;
-  Measure(
+  const KindsResult kinds = Measure(
       [&] {
         return ClassifyKinds({scene.views, read_image, primitives.graph}, context);
+      },
+      as_seen, on_stage_end);
+  Measure(
+      [&] {
+        KindsResult marked = kinds;
+        MeasureCurves(scene.views, &marked.graph);
+        marked.summary = MarkTexture(scene.views, &marked.graph);
+        return marked;
       },
       as_seen, on_stage_end);
 }
