@@ -25,9 +25,11 @@ constexpr double kMaxShadowChroma = 0.3;
 constexpr double kMaxShadowUnevenness = 0.1;
 // A cast shadow has more of its length behind other links; the rest is gaps in what casts it.
 constexpr double kMinShareBehind = 0.6;
-// The light of the scene changes if sides of links differ by this between views that are exposed
-// alike; then a link whose sides do not differ in the views as they are is seen in one light only.
-constexpr double kChangingLight = 0.09;
+// The light of the scene changes if sides of links differ by this between views, and by that between
+// views that are exposed alike; then a link whose sides do not differ in the views as they are is
+// seen in one light only.
+constexpr double kChangingLight = 0.2;
+constexpr double kBeyondExposure = 0.06;
 constexpr double kOneLightShare = 0.3;
 constexpr int kMinViewsOfOneLight = 3;
 // What is soft, and seen in several lights with one ratio, is paint: light changes the ratio of
@@ -45,7 +47,7 @@ double Logistic(double x) { return 1 / (1 + std::exp(-x)); }
 // Of a link whose sides have one hue: nothing if it is sharp and no shadow.
 std::optional<KindOfLink> ClassifyByLight(const KindEvidence& evidence, const SceneLight& light) {
   const bool is_soft = evidence.blur_ratio > kSoftRatio;
-  if (light.change > kChangingLight) {
+  if (light.variation > kChangingLight && light.change > kBeyondExposure) {
     const auto [steadier, other] = std::minmax(evidence.darker_spread, evidence.brighter_spread);
     if (evidence.num_views >= kMinViewsOfOneLight && other < kOneLightShare * light.variation) {
       return KindOfLink{LinkKind::kShadow, 1 - other / light.variation};
