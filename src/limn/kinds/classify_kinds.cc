@@ -25,9 +25,9 @@ constexpr double kMaxShadowChroma = 0.3;
 constexpr double kMaxShadowUnevenness = 0.1;
 // A cast shadow has more of its length behind other links; the rest is gaps in what casts it.
 constexpr double kMinShareBehind = 0.6;
-// The light of the scene changes if sides of links differ by this between views, and by that between
-// views that are exposed alike; then a link whose sides do not differ in the views as they are is
-// seen in one light only.
+// The light of the scene changes if sides of links differ by this between views, and by that
+// between views that are exposed alike; then a link whose sides do not differ in the views as they
+// are is seen in one light only.
 constexpr double kChangingLight = 0.2;
 constexpr double kBeyondExposure = 0.06;
 constexpr double kOneLightShare = 0.3;

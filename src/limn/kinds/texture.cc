@@ -17,7 +17,7 @@ constexpr double kShortCurvePx = 75;
 constexpr double kTextureReachPx = 120;
 constexpr double kMinShortShare = 0.8;
 // A sign by itself has fewer.
-constexpr size_t kMinFreeEnds = 16;
+constexpr size_t kMinFreeEnds = 32;
 // Between the places that stand for a link's length, px.
 constexpr double kTextureStepPx = 4;
 

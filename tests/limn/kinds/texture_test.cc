@@ -120,8 +120,8 @@ TEST_F(TextureTest, SmallCirclesAreNot) {
 TEST_F(TextureTest, ASignByItselfIsNotButManyAre) {
   DrawSign(0, 0);
   EXPECT_EQ(Marked(), std::vector<bool>(5, false));
-  for (const double x : {26.0, 52.0, 78.0}) DrawSign(x, 0);
-  EXPECT_EQ(Marked(), std::vector<bool>(20, true));
+  for (int k = 1; k < 12; ++k) DrawSign(26 * (k % 4), 26 * (k / 4));
+  EXPECT_EQ(Marked(), std::vector<bool>(60, true));
 }
 
 TEST_F(TextureTest, DoubtedLinksContoursAndRodsAreNot) {
