@@ -253,6 +253,9 @@ void BindLink(py::module_* module) {
           "closed", [](const Link& link) { return link.Get().closed; },
           "Whether the curve returns to its first point.")
       .def_property_readonly(
+          "confidence", [](const Link& link) { return link.Get().confidence; },
+          "Probability that its curve exists, 0 to 1; -1 if unknown.")
+      .def_property_readonly(
           "kind", [](const Link& link) { return std::string(LinkKindName(link.Get().kind)); },
           "'edge' (crease or border), 'paint', 'shadow', 'contour' (outline of a smooth body), "
           "'rod' (center line of a wire or bar), 'texture' (one of many short curves) or "

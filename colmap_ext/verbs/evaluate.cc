@@ -56,6 +56,8 @@ void CheckOutputs(const EvaluatorOptions& options) {
 
 // What is evaluated: a drawing, or else curves; and a mesh instead of faces.
 struct Judged {
+  // All of the drawing, and what was chosen of it.
+  std::optional<DrawingGraph> whole_drawing;
   std::optional<DrawingGraph> drawing;
   // The same in two, if there are true rods; `curves` are then the others.
   std::optional<RodsApart> apart;
@@ -88,6 +90,21 @@ KindConfusion KindsOf(const DrawingGraph& drawing, const Truths& truths,
     rods.insert(rods.end(), truths.rods->polylines.begin(), truths.rods->polylines.end());
   }
   return CompareKinds(drawing, kinds, ViewsOfUnit(views, options), of_kinds);
+}
+
+// At the middle one of the taus. Nothing if the drawing tells no confidences.
+std::optional<Reliability> ReliabilityOf(const DrawingGraph& whole_drawing, const Truth& truth,
+                                         const EvaluatorOptions& options,
+                                         const std::vector<View>& views) {
+  const EvaluationOptions& of_curves = options.truth.evaluation;
+  ReliabilityOptions of_confidences;
+  of_confidences.tau = of_curves.taus[of_curves.taus.size() / 2];
+  of_confidences.dont_care_taus = of_curves.dont_care_taus;
+  of_confidences.region = BoxFromNumbers(options.box);
+  const Reliability reliability = CompareConfidences(whole_drawing, truth.curves, truth.dont_care,
+                                                     ViewsOfUnit(views, options), of_confidences);
+  if (reliability.Length() > 0) return reliability;
+  return std::nullopt;
 }
 
 void AddRods(const Judged& judged, const CurveSet& truth, const EvaluationOptions& options,
@@ -148,6 +165,9 @@ EvaluationReport JudgeCurves(const Judged& judged, const Truths& truths,
   if (truths.rods) {
     AddRods(judged, *truths.rods, input.evaluation, ViewsOfUnit(views, options), context, &report);
   }
+  if (judged.whole_drawing) {
+    report.reliability = ReliabilityOf(*judged.whole_drawing, truth, options, views);
+  }
   if (!options.true_kinds_path.empty()) {
     report.kinds = KindsOf(*judged.drawing, truths, options, views);
   }
@@ -187,6 +207,7 @@ EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, Console* 
     faces = std::move(judged.drawing->faces);
     judged.drawing->faces.clear();
     WarnOfUnknownCurves(*judged.drawing, options.selection.detail, console);
+    judged.whole_drawing = judged.drawing;
     judged.drawing = Selected(*std::move(judged.drawing), options.Selection());
     if (truths.rods) judged.apart = TakeRodsApart(*judged.drawing);
     judged.curves = ToCurveSet(judged.apart ? judged.apart->others : *judged.drawing);

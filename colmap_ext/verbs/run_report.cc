@@ -133,6 +133,7 @@ Json ToJson(const Trust& trust) {
           {"error_px", OrNull(trust.error_px)},
           {"error_90_px", OrNull(trust.error_90_px)},
           {"has_share_of_cameras", trust.has_share_of_cameras},
+          {"right", OrNull(trust.right)},
           {"tentative", OrNull(trust.tentative)},
           {"unmeasured", OrNull(trust.unmeasured)}};
 }

@@ -23,8 +23,14 @@ constexpr double kNextToNothing = 0.02;
 constexpr double kNextToNothingInBox = 0.0005;
 // An image that agrees less than this much of the median is named.
 constexpr double kMuchLess = 1.0 / 3;
-// More of the length than this without measured depth is worth a warning.
+// More of the length than this without measured depth is worth a warning; this much, and the
+// drawing is a cloud of spikes.
 constexpr double kMuchUnmeasured = 0.1;
+constexpr double kMostUnmeasured = 0.5;
+// A drawing of which more than this is expected to be right is good, one with less than the other
+// is nonsense (algorithm/belief.md#verdict).
+constexpr double kGoodShare = 0.5;
+constexpr double kNonsenseShare = 0.2;
 
 std::string Percent(double share) { return ShortNumber(100 * share) + " %"; }
 
@@ -83,13 +89,17 @@ void AddCertainty(const ViewSet& set, const std::vector<View>& views, const Draw
                   Trust* trust) {
   const LinkSelection selection;
   const double scale = set.TypicalScale();
-  double length = 0, well_seen = 0, tentative = 0, unmeasured = 0;
+  double length = 0, well_seen = 0, tentative = 0, unmeasured = 0, judged = 0, right = 0;
   std::vector<WeightedValue> sigmas_px;
   for (const DrawingLink& link : graph.links) {
     const double of_link = Length(link.points_in_world);
     // A rod stands for its outlines, which are sure.
     if (link.tentative && link.doubt != LinkDoubt::kRodOutline) tentative += of_link;
     if (link.doubt == LinkDoubt::kDepth) unmeasured += of_link;
+    if (link.confidence >= 0) {
+      judged += of_link;
+      right += of_link * link.confidence;
+    }
     if (!selection.Has(link)) continue;
     length += of_link;
     if (set.CountImages(link.supporting_views) >= kManyImages) well_seen += of_link;
@@ -100,12 +110,17 @@ void AddCertainty(const ViewSet& set, const std::vector<View>& views, const Draw
     }
   }
   if (length > 0) trust->well_seen = well_seen / length;
+  if (judged > 0) trust->right = right / judged;
   if (const double found = length + tentative; found > 0) {
     trust->tentative = tentative / found;
     trust->unmeasured = unmeasured / found;
   }
   trust->error_px = WeightedQuantile(sigmas_px, 0.5);
   trust->error_90_px = WeightedQuantile(sigmas_px, 0.9);
+}
+
+bool ExplainsNothing(const Trust& trust, bool has_box) {
+  return trust.explained && *trust.explained < (has_box ? kNextToNothingInBox : kNextToNothing);
 }
 
 void SayAgreement(const Trust& trust, bool has_box, Console* console) {
@@ -119,19 +134,45 @@ void SayAgreement(const Trust& trust, bool has_box, Console* console) {
     console->Say(count_of(trust.without_edges) +
                  " have next to no edges: " + ListNumbers(trust.without_edges, "% of them drawn"));
   }
-  if (*trust.explained < (has_box ? kNextToNothingInBox : kNextToNothing)) {
-    console->Say(
-        "WARNING: the drawing explains next to nothing of the images: do not trust it. Usual "
-        "causes: poses that "
-        "belong to other images, wrong focal lengths or lenses, axes of another convention, images "
-        "of other things or without edges, too few views or too different ones" +
-        std::string(has_box ? ", a box beside the scene" : ""));
-    return;
-  }
+  if (ExplainsNothing(trust, has_box)) return;
   if (trust.agree_less.empty()) return;
   console->Say(count_of(trust.agree_less) +
                " agree much less with the drawing: " + ListNumbers(trust.agree_less, "%") +
                ". Their poses are wrong, or they show other things");
+}
+
+// Why the drawing is nonsense, and what to look at.
+void WarnOfNonsense(const Trust& trust, bool has_box, Console* console) {
+  const std::string finding = ExplainsNothing(trust, has_box)
+                                  ? "the drawing explains next to nothing of the images"
+                                  : "only " + Percent(trust.right.value_or(0)) +
+                                        " of the length found is expected to be right";
+  console->Say("WARNING: " + finding +
+               ": do not trust it. Usual causes: poses that belong to other images, wrong focal "
+               "lengths or lenses, axes of another convention, images of other things or without "
+               "edges, too few views or too different ones" +
+               (has_box ? ", a box beside the scene" : ""));
+}
+
+void SayCertainty(const Trust& trust, Console* console) {
+  console->Say(
+      Percent(*trust.well_seen) + " of the drawing's length is seen by " +
+      std::to_string(kManyImages) + " or more images; expected error, " +
+      (trust.has_share_of_cameras ? "refined cameras included: " : "if the cameras are right: ") +
+      ShortNumber(*trust.error_px) + " px (median), " + ShortNumber(*trust.error_90_px) +
+      " px (90 %)");
+}
+
+bool HasNoDepth(const Trust& trust) { return trust.unmeasured.value_or(0) > kMostUnmeasured; }
+
+void SayVerdict(const Trust& trust, bool has_box, Console* console) {
+  const Verdict verdict = VerdictOf(trust, has_box);
+  if (!trust.right && verdict != Verdict::kNonsense) return;
+  std::string line = std::string("Verdict: ") + VerdictName(verdict);
+  if (trust.right)
+    line += ", " + Percent(*trust.right) + " of the length found is expected to be right";
+  console->Say(line);
+  if (verdict == Verdict::kNonsense && !HasNoDepth(trust)) WarnOfNonsense(trust, has_box, console);
 }
 
 }  // namespace
@@ -147,6 +188,25 @@ Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
   return trust;
 }
 
+const char* VerdictName(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kGood:
+      return "good";
+    case Verdict::kDoubtful:
+      return "doubtful";
+    case Verdict::kNonsense:
+      return "nonsense";
+  }
+  return "";
+}
+
+Verdict VerdictOf(const Trust& trust, bool has_box) {
+  if (ExplainsNothing(trust, has_box) || HasNoDepth(trust)) return Verdict::kNonsense;
+  if (!trust.right) return Verdict::kDoubtful;
+  if (*trust.right < kNonsenseShare) return Verdict::kNonsense;
+  return *trust.right > kGoodShare ? Verdict::kGood : Verdict::kDoubtful;
+}
+
 void SayTrust(const Trust& trust, bool has_box, Console* console) {
   if (trust.explained) SayAgreement(trust, has_box, console);
   if (trust.tentative) {
@@ -159,13 +219,8 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
                  "same place. Take photographs from places farther apart, or, if the object turned "
                  "before the camera, mask what stood still (--mask_path)");
   }
-  if (!trust.error_px || !trust.error_90_px) return;
-  console->Say(
-      Percent(*trust.well_seen) + " of the drawing's length is seen by " +
-      std::to_string(kManyImages) + " or more images; expected error, " +
-      (trust.has_share_of_cameras ? "refined cameras included: " : "if the cameras are right: ") +
-      ShortNumber(*trust.error_px) + " px (median), " + ShortNumber(*trust.error_90_px) +
-      " px (90 %)");
+  if (trust.error_px && trust.error_90_px) SayCertainty(trust, console);
+  SayVerdict(trust, has_box, console);
 }
 
 Trust ReportTrust(const ViewSet& set, const DrawingInScene& drawing, Console* console) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "limn/belief/confidence.h"
 #include "limn/belief/link_claims.h"
 #include "limn/belief/loose_pieces.h"
 #include "limn/belief/measured_depth.h"
@@ -68,7 +69,7 @@ class Judge {
     const DrawingLink& link = graph_.links[l];
     // An outline is another curve for every view.
     if (link.kind == LinkKind::kContour) return LinkDoubt::kNone;
-    const int num_free = IsFree(l, link.node0) + IsFree(l, link.node1);
+    const int num_free = NumFree(l);
     if (!fitted_.empty() && !fitted_[l] && !IsInferred(link, evidence, num_free)) {
       return LinkDoubt::kFewViews;
     }
@@ -82,6 +83,8 @@ class Judge {
     }
     return LinkDoubt::kNone;
   }
+
+  LinkFacts FactsOf(size_t l) const { return {EvidenceOf(l), links_[l].showing_views, NumFree(l)}; }
 
   double EvidenceOf(size_t l) const {
     return links_[l].evidence + EvidenceOfSigma(graph_.links[l], links_[l].footprint);
@@ -97,6 +100,10 @@ class Judge {
   bool IsContradicted(size_t l) const {
     return views_through_[l] >= kMinContradictingViews &&
            views_through_[l] >= kMinContradictingShare * links_[l].showing_views;
+  }
+
+  int NumFree(size_t l) const {
+    return IsFree(l, graph_.links[l].node0) + IsFree(l, graph_.links[l].node1);
   }
 
   // Whether the link meets nothing at the node. What has grown from its end, without samples of the
@@ -124,6 +131,16 @@ class Judge {
   std::vector<ImageEvidence> links_;
   std::vector<int> views_through_;
 };
+
+double SureShare(const std::vector<double>& length_px, const std::vector<double>& evidence) {
+  double whole = 0;
+  double sure = 0;
+  for (size_t l = 0; l < length_px.size(); ++l) {
+    whole += length_px[l];
+    if (evidence[l] >= kSureLinkEvidence) sure += length_px[l];
+  }
+  return whole > 0 ? sure / whole : 0;
+}
 
 // Number and length of the links per doubt.
 struct Tally {
@@ -172,10 +189,12 @@ BeliefResult JudgeLinks(const BeliefInput& input, const BeliefOptions& options,
   const std::vector<double> angle_deg = TriAnglesDeg(input.graph, input.scene.views, context);
   DoubtUnmeasuredDepth(angle_deg, options.min_tri_angle_deg, &result.graph);
   DoubtLoosePieces(length_px, evidence, &result.graph);
+  const double sure_share = SureShare(length_px, evidence);
   Tally tally;
   for (size_t l = 0; l < result.graph.links.size(); ++l) {
     DrawingLink& link = result.graph.links[l];
     link.tentative = link.doubt != LinkDoubt::kNone;
+    link.confidence = ConfidenceOf(judge.FactsOf(l), sure_share);
     ++tally.links[static_cast<int>(link.doubt)];
     tally.px[static_cast<int>(link.doubt)] += length_px[l];
   }

@@ -1,13 +1,13 @@
 #include "limn/belief/loose_pieces.h"
 
+#include "limn/belief/confidence.h"
 #include "limn/util/union_find.h"
 
 namespace limn {
 namespace {
 
-// Of a loose piece, px, and the evidence with which one of its links holds it.
+// Of a loose piece, px. A link with kSureLinkEvidence holds it.
 constexpr double kLoosePx = 60;
-constexpr double kHoldingEvidence = 11;
 
 struct Piece {
   double length_px = 0;
@@ -31,7 +31,7 @@ void DoubtLoosePieces(const std::vector<double>& length_px, const std::vector<do
     if (!is_part(link)) continue;
     Piece& piece = pieces[nodes.Find(link.node0)];
     piece.length_px += length_px[l];
-    piece.is_held |= link.closed || evidence[l] >= kHoldingEvidence;
+    piece.is_held |= link.closed || evidence[l] >= kSureLinkEvidence;
   }
   for (DrawingLink& link : graph->links) {
     if (!is_part(link)) continue;

@@ -10,6 +10,7 @@
 #include "limn/evaluation/feature_scores.h"
 #include "limn/evaluation/kind_confusion.h"
 #include "limn/evaluation/normalized_errors.h"
+#include "limn/evaluation/reliability.h"
 #include "limn/evaluation/saw_teeth.h"
 #include "limn/evaluation/structure_scores.h"
 #include "limn/model/curve_set.h"
@@ -67,6 +68,8 @@ struct EvaluationReport {
   std::optional<SawTeeth> saw_teeth;
   // Of a drawing with sigmas. Filled in by callers that have views and the graph.
   std::optional<NormalizedErrors> normalized_errors;
+  // Of a drawing with confidences. Filled in by callers that have the graph.
+  std::optional<Reliability> reliability;
   // Of a drawing. Filled in by callers that have the graph and true kinds.
   std::optional<KindConfusion> kinds;
   // Of the cameras that the curves were made with. Filled in by callers that have true ones.

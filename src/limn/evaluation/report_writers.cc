@@ -143,6 +143,16 @@ Json CamerasAsJson(const CameraAccuracy& cameras) {
           {"focal", cameras.focal}};
 }
 
+Json ReliabilityAsJson(const Reliability& reliability) {
+  Json bins = Json::array();
+  for (const ReliabilityBin& bin : reliability.bins) {
+    bins.push_back({{"length", bin.length}, {"told", bin.told}, {"right", bin.right}});
+  }
+  return {{"tau", reliability.tau},
+          {"calibration_error", reliability.CalibrationError()},
+          {"bins", bins}};
+}
+
 // Per true kind ("none": no true curve is near) the drawn length by kind of the link.
 Json KindsAsJson(const KindConfusion& kinds) {
   Json lengths;
@@ -245,6 +255,7 @@ void PrintCurves(const EvaluationReport& report, std::ostream& out) {
   out << '\n';
   if (report.saw_teeth) PrintSawTeeth(*report.saw_teeth, out);
   if (report.normalized_errors) PrintNormalizedErrors(*report.normalized_errors, out);
+  if (report.reliability) PrintReliability(*report.reliability, out);
   if (report.kinds) PrintKindConfusion(*report.kinds, out);
   if (report.num_links == 0) out << "points " << report.num_points << '\n';
   if (report.num_ignored_points > 0) {
@@ -311,6 +322,7 @@ void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
   json["saw_teeth"] = report.saw_teeth ? SawTeethAsJson(*report.saw_teeth) : Json(nullptr);
   json["normalised_errors"] =
       report.normalized_errors ? NormalizedErrorsAsJson(*report.normalized_errors) : Json(nullptr);
+  json["reliability"] = report.reliability ? ReliabilityAsJson(*report.reliability) : Json(nullptr);
   json["kinds"] = report.kinds ? KindsAsJson(*report.kinds) : Json(nullptr);
   json["cameras"] = report.cameras ? CamerasAsJson(*report.cameras) : Json(nullptr);
   json["faces"] = report.faces ? FacesAsJson(*report.faces) : Json(nullptr);

@@ -160,6 +160,8 @@ struct DrawingLink {
   double residual_px = 0;
   // The angle by which its views measure its depth (TriAngleDeg); -1: unknown.
   double tri_angle_deg = -1;
+  // Probability that its curve exists, 0 to 1, believed or not (ConfidenceOf); -1: unknown.
+  double confidence = -1;
   // Length of the curve that it is a part of (MeasureCurves), pixels; 0: unknown.
   double curve_px = 0;
   // Of most of its length.
@@ -199,7 +201,7 @@ struct DrawingGraph {
 // link ends at their nodes' positions, all numbers finite, links of at least two points, no link of
 // zero length, one sigma (and one vertex, if there are any) per point, radii of rods
 // and of nothing else, primitives that ValidateShape accepts, regularities and faces that are in
-// order, finite dimensions, confidences of kinds from 0 to 1, lengths of curves not
+// order, finite dimensions, confidences from 0 to 1, lengths of curves not
 // below 0, doubts of tentative links only, junction <=> degree >= 3, loop anchors with exactly the
 // two ends of one closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);

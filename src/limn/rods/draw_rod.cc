@@ -117,6 +117,7 @@ class RodDrawing {
     link.points_in_world = found.rod.axis;
     link.kind = LinkKind::kRod;
     link.kind_confidence = 1 / (1 + std::exp(-found.evidence.log_ratio));
+    link.confidence = link.kind_confidence;
     link.rod_radius = found.rod.radius;
     link.supporting_views = found.views;
     link.residual_px = found.evidence.rms_px;

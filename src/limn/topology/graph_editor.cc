@@ -65,7 +65,7 @@ void ForgetShape(DrawingLink* link) {
 }
 
 // The kind of two links together, before they are joined: what is sure over more length. A rod
-// remains one only with another.
+// remains one only with another. Confidences are means over the length.
 void CombineKinds(const DrawingLink& other, DrawingLink* link) {
   const bool are_rods = link->kind == LinkKind::kRod && other.kind == LinkKind::kRod;
   const double length = Length(link->points_in_world);
@@ -83,6 +83,9 @@ void CombineKinds(const DrawingLink& other, DrawingLink* link) {
   if (link->kind == LinkKind::kRod && !are_rods) link->kind_confidence = 0;
   if (link->kind_confidence == 0) link->kind = LinkKind::kUnknown;
   if (link->kind != LinkKind::kRod) link->rod_radius = 0;
+  const bool is_known = link->confidence >= 0 && other.confidence >= 0;
+  link->confidence =
+      is_known ? (link->confidence * length + other.confidence * other_length) / whole : -1;
   const double tentative = link->tentative * length + other.tentative * other_length;
   link->tentative = tentative > whole / 2;
   if (!link->tentative) {

@@ -157,17 +157,19 @@ void AddDense(const ViewerScene& scene, PayloadArrays* arrays) {
 
 void AddKinds(const ViewerScene& scene, PayloadArrays* arrays) {
   std::vector<uint8_t> kind, tentative;
-  std::vector<float> confidence, curve_px;
+  std::vector<float> kind_confidence, confidence, curve_px;
   std::vector<double> rod_radius;
   for (const DrawingLink& link : scene.graph.links) {
     kind.push_back(static_cast<uint8_t>(link.kind));
-    confidence.push_back(static_cast<float>(link.kind_confidence));
+    kind_confidence.push_back(static_cast<float>(link.kind_confidence));
+    confidence.push_back(static_cast<float>(link.confidence));
     curve_px.push_back(static_cast<float>(link.curve_px));
     tentative.push_back(link.tentative);
     rod_radius.push_back(link.rod_radius);
   }
   arrays->Add("linkKind", kind);
-  arrays->Add("kindConfidence", confidence);
+  arrays->Add("kindConfidence", kind_confidence);
+  arrays->Add("linkConfidence", confidence);
   arrays->Add("linkCurvePx", curve_px);
   arrays->Add("linkTentative", tentative);
   arrays->Add("rodRadius", rod_radius);

@@ -93,6 +93,7 @@ class Drawings(unittest.TestCase):
             self.assertIn((link.id, 0), drawing.nodes[link.node0].link_ends)
             self.assertIn(link.kind, KINDS)
             self.assertEqual(link.rod_radius > 0, link.kind == "rod")
+            self.assertTrue(link.confidence == -1 or 0 <= link.confidence <= 1)
             self.assertTrue(link.tri_angle_deg == -1 or 0 <= link.tri_angle_deg <= 90)
             self.assertAlmostEqual(link.length, np.linalg.norm(np.diff(link.points, axis=0), axis=1).sum(), places=9)
         self.assertEqual(sum(node.degree for node in drawing.nodes), 2 * len(drawing.links))

@@ -1,11 +1,17 @@
 #include "colmap_ext/verbs/trust.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/host/terminal_console.h"
 #include "support/synthetic_scene.h"
 
 namespace limn::colmap_ext {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Twelve views of the origin, each four of one image.
 ViewSet ThreeImagesInParts() {
@@ -51,6 +57,65 @@ TEST(MeasureTrust, TellsWhatHasNoMeasuredDepth) {
   const Trust trust = MeasureTrust(set, set.views, {}, graph);
   EXPECT_DOUBLE_EQ(trust.tentative.value(), 0.75);
   EXPECT_DOUBLE_EQ(trust.unmeasured.value(), 0.5);
+}
+
+TEST(MeasureTrust, TellsHowMuchOfWhatWasFoundIsRight) {
+  const ViewSet set = ThreeImagesInParts();
+  DrawingGraph graph;
+  graph.links = {LinkSeenBy({0, 4}, 3), LinkSeenBy({0, 4}, 1), LinkSeenBy({0, 4}, 2)};
+  EXPECT_FALSE(MeasureTrust(set, set.views, {}, graph).right);
+  graph.links[0].confidence = 0.9;
+  graph.links[1].confidence = 0.1;
+  graph.links[1].tentative = true;
+  EXPECT_DOUBLE_EQ(MeasureTrust(set, set.views, {}, graph).right.value(), 0.7);
+}
+
+Trust TrustIn(double right, double explained, double unmeasured) {
+  Trust trust;
+  trust.right = right;
+  trust.explained = explained;
+  trust.unmeasured = unmeasured;
+  return trust;
+}
+
+TEST(VerdictOf, NeedsEvidenceAgreementAndDepth) {
+  EXPECT_EQ(VerdictOf(TrustIn(0.51, 0.3, 0), false), Verdict::kGood);
+  EXPECT_EQ(VerdictOf(TrustIn(0.49, 0.3, 0), false), Verdict::kDoubtful);
+  EXPECT_EQ(VerdictOf(TrustIn(0.21, 0.3, 0), false), Verdict::kDoubtful);
+  EXPECT_EQ(VerdictOf(TrustIn(0.19, 0.3, 0), false), Verdict::kNonsense);
+  EXPECT_EQ(VerdictOf(TrustIn(0.9, 0.019, 0), false), Verdict::kNonsense);
+  EXPECT_EQ(VerdictOf(TrustIn(0.9, 0.019, 0), true), Verdict::kGood);
+  EXPECT_EQ(VerdictOf(TrustIn(0.9, 0.3, 0.51), false), Verdict::kNonsense);
+  EXPECT_EQ(VerdictOf({}, false), Verdict::kDoubtful);
+}
+
+std::string SaidOf(const Trust& trust) {
+  ::testing::internal::CaptureStdout();
+  {
+    TerminalConsole console(1);
+    SayTrust(trust, false, &console);
+  }
+  return ::testing::internal::GetCapturedStdout();
+}
+
+TEST(SayTrust, VerdictWithCausesWhereItIsNonsense) {
+  EXPECT_THAT(SaidOf(TrustIn(0.87, 0.3, 0)),
+              HasSubstr("Verdict: good, 87 % of the length found is expected to be right"));
+  EXPECT_THAT(SaidOf(TrustIn(0.87, 0.3, 0)), Not(HasSubstr("WARNING")));
+  EXPECT_THAT(SaidOf(TrustIn(0.05, 0.3, 0)), HasSubstr("WARNING: only 5 % of the length found"));
+  EXPECT_THAT(SaidOf(TrustIn(0.05, 0.01, 0)), HasSubstr("WARNING: the drawing explains next to"));
+  Trust of_paper;
+  of_paper.explained = 0.3;
+  EXPECT_THAT(SaidOf(of_paper), Not(HasSubstr("Verdict")));
+}
+
+TEST(SayTrust, DepthThatWasNotMeasuredComesWithTheRemedy) {
+  EXPECT_THAT(SaidOf(TrustIn(0.87, 0.3, 0.09)), Not(HasSubstr("WARNING")));
+  EXPECT_THAT(SaidOf(TrustIn(0.87, 0.3, 0.11)),
+              AllOf(HasSubstr("the depth of 11 %"), HasSubstr("Verdict: good")));
+  EXPECT_THAT(SaidOf(TrustIn(0.87, 0.3, 0.98)),
+              AllOf(HasSubstr("WARNING: the depth of 98 %"), HasSubstr("places farther apart"),
+                    HasSubstr("Verdict: nonsense"), Not(HasSubstr("Usual causes"))));
 }
 
 }  // namespace

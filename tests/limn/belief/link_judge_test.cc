@@ -83,6 +83,34 @@ TEST(JudgeLinksTest, WhatHasGrownFromALinkIsNoEvidenceForIt) {
   }
 }
 
+double ConfidenceIn(const BeliefScene& scene, size_t link) {
+  return Judged(scene).graph.links[link].confidence;
+}
+
+TEST(JudgeLinksTest, ConfidenceGrowsWithViewsAndNeighborsAndTheRestOfTheDrawing) {
+  BeliefScene few;
+  few.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0), 4);
+  BeliefScene meets = few;
+  meets.Add(FrontalPoint(-50, 0), FrontalPoint(-50, 60), 4);
+  BeliefScene beside_sure = few;
+  beside_sure.Add(FrontalPoint(-50, 40), FrontalPoint(50, 40));
+  const double alone = ConfidenceIn(few, 0);
+  EXPECT_GT(alone, 0);
+  EXPECT_LT(alone, 0.5);
+  EXPECT_GT(ConfidenceIn(meets, 0), alone);
+  EXPECT_GT(ConfidenceIn(beside_sure, 0), alone);
+  EXPECT_GT(ConfidenceIn(beside_sure, 1), 0.85);
+  EXPECT_LE(ConfidenceIn(beside_sure, 1), 1);
+}
+
+TEST(JudgeLinksTest, WithoutAJudgeThereIsNoConfidence) {
+  BeliefScene scene;
+  scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0));
+  BeliefOptions options;
+  options.judge = false;
+  EXPECT_EQ(Judged(scene, {}, options).graph.links[0].confidence, -1);
+}
+
 // A glossy front shows the image of an edge before it to the few views that it reflects into.
 TEST(JudgeLinksTest, AMirrorImageThatFewViewsShow) {
   BeliefScene scene;

@@ -151,6 +151,23 @@ TEST(ReportWriters, RodsAreInTextAtTheMiddleTauAndInJson) {
                   .is_null());
 }
 
+TEST(ReportWriters, ReliabilityIsInTextAndJson) {
+  EvaluationReport report = SmallReport();
+  Reliability reliability;
+  reliability.tau = 2;
+  reliability.bins[3] = {4, 1.4, 1};
+  reliability.bins[9] = {12, 11.4, 11.6};
+  report.reliability = reliability;
+  std::ostringstream table, json;
+  PrintReport(report, table);
+  EXPECT_THAT(table.str(), HasSubstr("calibration error 0.037"));  // (0.4 + 0.2) / 16
+  EXPECT_THAT(table.str(), HasSubstr("0.3 to 0.4     0.350   0.250   0.250"));
+  WriteReportJson(report, json);
+  const nlohmann::json written = nlohmann::json::parse(json.str()).at("reliability");
+  EXPECT_NEAR(written.at("calibration_error"), 0.6 / 16, 1e-12);
+  EXPECT_EQ(written.at("bins").at(9).at("right"), 11.6);
+}
+
 TEST(ReportWriters, KindsAreInTextAndJson) {
   EvaluationReport report = SmallReport();
   KindConfusion kinds;

@@ -703,6 +703,21 @@ TEST(JoinKindsTest, SameKindIsKeptWithTheMeanConfidence) {
   EXPECT_NEAR(link.kind_confidence, 0.8, 1e-12);
 }
 
+TEST(JoinKindsTest, ConfidenceIsTheMeanOverTheLengthWhereBothAreKnown) {
+  const auto joined = [](double longer, double shorter) {
+    DrawingGraph graph = GraphWithVertices({Row(0, 4), Row(7, 9)});
+    graph.links[0].confidence = longer;
+    graph.links[1].confidence = shorter;
+    GraphEditor editor(&graph);
+    editor.Join({0, 1}, {1, 0});
+    editor.Compact();
+    return graph.links.at(0).confidence;
+  };
+  EXPECT_NEAR(joined(0.9, 0.6), 0.8, 1e-12);
+  EXPECT_EQ(joined(-1, 0.6), -1);
+  EXPECT_EQ(joined(0.9, -1), -1);
+}
+
 TEST(JoinKindsTest, UnknownPartOnlyLowersTheConfidence) {
   const DrawingLink link = JoinedKinds({}, {LinkKind::kShadow, 0.9});
   EXPECT_EQ(link.kind, LinkKind::kShadow);

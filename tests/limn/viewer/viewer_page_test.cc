@@ -102,6 +102,7 @@ TEST(ViewerPayload, TellsKinds) {
   scene.graph.links[3].kind = LinkKind::kRod;
   scene.graph.links[3].rod_radius = 0.375;
   scene.graph.links[2].curve_px = 12.5;
+  scene.graph.links[2].confidence = 0.25;
   scene.detail = Detail::kCoarse;
   const Payload payload(EncodePayload(scene));
   EXPECT_EQ(payload.Array<uint8_t>("linkKind"), (std::vector<uint8_t>{0, 3, 0, 5}));
@@ -109,6 +110,7 @@ TEST(ViewerPayload, TellsKinds) {
   EXPECT_EQ(payload.Array<float>("kindConfidence")[1], 0.5f);
   EXPECT_EQ(payload.Array<uint8_t>("linkTentative"), (std::vector<uint8_t>{0, 0, 1, 0}));
   EXPECT_EQ(payload.Array<float>("linkCurvePx"), (std::vector<float>{0, 0, 12.5, 0}));
+  EXPECT_EQ(payload.Array<float>("linkConfidence"), (std::vector<float>{-1, -1, 0.25, -1}));
   EXPECT_EQ(payload.header["detail"], "coarse");
 }
 

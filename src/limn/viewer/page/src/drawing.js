@@ -282,6 +282,7 @@ export class Drawing {
       'linkResidual',
       'linkKind',
       'kindConfidence',
+      'linkConfidence',
       'linkCurvePx',
       'linkTentative',
       'rodRadius',

@@ -39,6 +39,11 @@ function kindText(drawing, link) {
   return parts.join(', ');
 }
 
+function existsText(drawing, link) {
+  const confidence = drawing.linkConfidence[link];
+  return confidence >= 0 ? percent(confidence) : null;
+}
+
 function rodText(drawing, link) {
   return drawing.linkKind[link] === ROD ? number(drawing.rodRadius[link]) : null;
 }
@@ -55,6 +60,7 @@ function linkFacts(drawing, link) {
     ['Its fit', primitiveFit(drawing, link)],
     ['Residual', `${number(drawing.linkResidual[link], 3)} px`],
     ['Sigma (median)', number(drawing.medianSigma(link), 3)],
+    ['Probability that it exists', existsText(drawing, link)],
     ['Kind of edge', drawing.hasKinds ? kindText(drawing, link) : null],
     [`Radius of the rod, ${drawing.unit}`, rodText(drawing, link)],
     ['Class', classText(drawing, link)],

@@ -73,6 +73,10 @@ function trust({ images, explained, agree_less: less, many_views: many, ...share
         : null,
     ],
     [
+      'Length found that is expected to be right',
+      isKnown(shares.right) ? percent(shares.right) : null,
+    ],
+    [
       'Length found that is doubtful, hence tentative',
       isKnown(shares.tentative) ? percent(shares.tentative) : null,
     ],
