@@ -7,11 +7,11 @@ namespace limn {
 namespace {
 
 // Weights of the regression; for how they were found see algorithm/belief.md#what-was-measured.
-constexpr double kBase = -1.33;
-constexpr double kPerEvidence = 0.068;
-constexpr double kPerFreeEnd = -0.61;
-constexpr double kPerLogViews = 1.47;
-constexpr double kPerLogSure = 1.29;
+constexpr double kBase = -0.37;
+constexpr double kPerEvidence = 0.075;
+constexpr double kPerFreeEnd = -0.70;
+constexpr double kPerLogViews = 1.16;
+constexpr double kPerLogSure = 1.21;
 // More evidence than this makes nothing surer.
 constexpr double kMaxEvidence = 20;
 // Keeps the logarithm of the sure share finite.
