@@ -180,7 +180,7 @@ class OutlineFitter {
     return images_.EdgelOf(edgel).Tangent().dot(sight.direction) > 0 ? 1 : -1;
   }
 
-  // With these radius to begin with; an edge has none.
+  // With this radius to begin with; 0 stays, which is an edge.
   BodyBeside Fit(double start_px) const {
     BodyBeside body;
     body.radius = start_px * footprint_;
@@ -225,8 +225,7 @@ class OutlineFitter {
         const auto match = MatchIn(v, k, *body, gate);
         if (!match) continue;
         const double distance = match->residual.residual_px;
-        const double weight =
-            std::min(1.0, kOutlineRobustPx / std::max(std::abs(distance), 1e-12));
+        const double weight = std::min(1.0, kOutlineRobustPx / std::max(std::abs(distance), 1e-12));
         const Eigen::Vector2d by_axis = probes_[k].across.transpose() * match->residual.gradient;
         const double by_radius = match->residual.gradient.dot(match->normal);
         of_axis += weight * by_axis * by_axis.transpose();
@@ -268,8 +267,8 @@ class OutlineFitter {
   }
 
   static size_t NumUnexplained(const MisfitOfView& misfits) {
-    return static_cast<size_t>(std::ranges::count_if(
-        misfits, [](const auto& item) { return !item.second.IsShown(); }));
+    return static_cast<size_t>(
+        std::ranges::count_if(misfits, [](const auto& item) { return !item.second.IsShown(); }));
   }
 
   // Of the views that show the curve, if they are so many.

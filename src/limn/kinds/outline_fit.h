@@ -14,8 +14,8 @@ namespace limn {
 // views see the outline.
 struct BodyBeside {
   std::vector<Eigen::Vector3d> axis;  // per probe, the center of the circle
-  // World units. Positive if a view that looks ahead along the tangent of the link as its up
-  // direction sees the outline to the left of the axis; 0: an edge.
+  // World units. Views with the direction of the link upward see the outline to the left of the
+  // axis if it is positive, to the right if it is negative; 0: an edge.
   double radius = 0;
 };
 

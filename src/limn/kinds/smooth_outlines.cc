@@ -66,8 +66,8 @@ Eigen::AlignedBox3d BoxAround(const Polyline3d& points, double reach) {
 bool AgreeOnBody(const OutlineEvidence& a, const OutlineEvidence& b) {
   const double larger = std::max(RadiusOf(a), RadiusOf(b));
   if (std::abs(RadiusOf(a) - RadiusOf(b)) > kRadiusTolerance * larger) return false;
-  const double reach = std::max(kMinTolerancePx * std::max(a.footprint, b.footprint),
-                                kAxisTolerance * larger);
+  const double reach =
+      std::max(kMinTolerancePx * std::max(a.footprint, b.footprint), kAxisTolerance * larger);
   if (!BoxAround(a.body.axis, reach).intersects(BoxAround(b.body.axis, 0))) return false;
   return HalfLieNear(a.body.axis, b.body.axis, reach) ||
          HalfLieNear(b.body.axis, a.body.axis, reach);

@@ -36,8 +36,8 @@ DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions&
                             const RunContext& context, const StageObserver& on_stage_end) {
   if (options.IsPaper()) return input.graph;
   const DrawingGraph edges = WithoutOutlines(WithoutRods(input.graph));
-  RefinementResult refined = RefineDrawing({input.scene, edges}, options.refinement,
-                                           options.drawing.topology, context);
+  RefinementResult refined =
+      RefineDrawing({input.scene, edges}, options.refinement, options.drawing.topology, context);
   on_stage_end(refined.summary);
   BeliefResult judged = JudgeLinks({{input.scene.views, input.scene.curves},
                                     refined.graph,

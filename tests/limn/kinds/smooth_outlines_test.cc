@@ -38,7 +38,8 @@ Polyline3d Upright(double x, double y) {
 testing::SceneCurve OutlineOf(const View& view, double radius, int side) {
   const Eigen::Vector3d center = view.CenterInWorld();
   const double angle = std::atan2(center.y(), center.x()) + side * std::acos(radius / kDistance);
-  testing::SceneCurve outline = {Upright(radius * std::cos(angle), radius * std::sin(angle)), false};
+  testing::SceneCurve outline = {Upright(radius * std::cos(angle), radius * std::sin(angle)),
+                                 false};
   if (side > 0) std::reverse(outline.points.begin(), outline.points.end());
   return outline;
 }
