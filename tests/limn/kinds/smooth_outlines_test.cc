@@ -135,7 +135,8 @@ TEST(SmoothOutlinesTest, AnEdgeThatFewViewsShowIsOne) {
 // Its outlines move by less than blur and cameras do.
 TEST(SmoothOutlinesTest, ARoundedEdgeIsAnEdge) {
   const auto views = RingOfViews();
-  EXPECT_EQ(KindsIn(views, CylinderIn(views, 2 * kPx), WaveringLines(views, 2 * kPx)),
+  constexpr double kSmall = 2.6 * kPx;
+  EXPECT_EQ(KindsIn(views, CylinderIn(views, kSmall), WaveringLines(views, kSmall)),
             std::vector<LinkKind>(4, LinkKind::kUnknown));
 }
 
