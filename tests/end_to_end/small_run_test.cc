@@ -572,9 +572,9 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
     stages.push_back(stage.at("stage"));
     EXPECT_GT(stage.at("peak_mb").get<int>(), 0);
   }
-  EXPECT_THAT(stages,
-              ::testing::ElementsAre("image curves", "swept sketch", "drawing", "refinement",
-                                     "belief", "rods", "primitives", "kinds of edges", "texture"));
+  EXPECT_THAT(stages, ::testing::ElementsAre(
+                          "image curves", "swept sketch", "drawing", "refinement", "belief", "rods",
+                          "outlines of smooth bodies", "primitives", "kinds of edges", "texture"));
   EXPECT_EQ(report.at("options_changed").at("Drawing.min_link_length_px"), 7.5);
   const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;
   for (const DrawingLink& link : graph.links) {

@@ -5,6 +5,7 @@
 #include "limn/belief/link_judge.h"
 #include "limn/belief/tri_angle.h"
 #include "limn/kinds/classify_kinds.h"
+#include "limn/kinds/smooth_outlines.h"
 #include "limn/kinds/texture.h"
 #include "limn/paper/paper_drawing.h"
 #include "limn/pipeline/sketch_views.h"
@@ -34,9 +35,9 @@ DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
 DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                             const RunContext& context, const StageObserver& on_stage_end) {
   if (options.IsPaper()) return input.graph;
-  const DrawingGraph without_rods = WithoutRods(input.graph);
-  RefinementResult refined = RefineDrawing({input.scene, without_rods}, options.refinement,
-                                           options.drawing.topology, context);
+  const DrawingGraph edges = WithoutOutlines(WithoutRods(input.graph));
+  RefinementResult refined =
+      RefineDrawing({input.scene, edges}, options.refinement, options.drawing.topology, context);
   on_stage_end(refined.summary);
   BeliefResult judged = JudgeLinks({{input.scene.views, input.scene.curves},
                                     refined.graph,
@@ -47,7 +48,9 @@ DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions&
   if (!options.belief.judge) return std::move(judged.graph);
   RodResult rods = FindRods({input.scene, judged.graph}, context);
   on_stage_end(rods.summary);
-  return std::move(rods.graph);
+  OutlinesResult outlines = FindSmoothOutlines({input.scene, rods.graph}, context);
+  on_stage_end(outlines.summary);
+  return std::move(outlines.graph);
 }
 
 DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,

@@ -23,20 +23,6 @@ void MeetEnds(const MeetingTask& task) {
   SnapEnds(task);
 }
 
-// Takes the contours out of the graph, so that nothing is joined to them; ids stay as they are.
-std::vector<DrawingLink> TakeContours(const LinkVerdicts& links, GraphEditor* editor) {
-  std::vector<DrawingLink> contours;
-  for (LinkId id = 0; id < editor->NumLinks(); ++id) {
-    if (links.verdicts[id] != kIsContour) continue;
-    contours.push_back(editor->link(id));
-    contours.back().kind = LinkKind::kContour;
-    contours.back().kind_confidence = links.contour_confidence[id];
-    contours.back().node0 = contours.back().node1 = -1;
-    editor->Remove(id);
-  }
-  return contours;
-}
-
 }  // namespace
 
 CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& sketch,
@@ -45,9 +31,8 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
   CompletionCounts counts;
   GraphEditor editor(graph);
   const MeetingTask meetings = {input, options, Reach::Drawn(options), &editor, &counts.meetings};
-  const LinkVerdicts links = VerifyLinks(input, sketch, options, *graph, context);
-  const std::vector<DrawingLink> contours = TakeContours(links, &editor);
-  counts.samples_doubtful = KeepAndCount(links.verdicts, &editor);
+  counts.samples_doubtful =
+      KeepAndCount(VerifyLinks(input, sketch, options, *graph, context), &editor);
   UpdateFates(*graph, EdgelFate::kDoubtfulLink, fates);
   counts.continued = ContinueCurves(input, options, context, &editor);
   MeetEnds(meetings);
@@ -56,7 +41,6 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
   MeetEnds(meetings);  // grown links have new ends
   counts.short_edges = AddShortEdges(input, options, context, &editor);
   counts.tidy = Tidy(options, &editor);
-  for (const DrawingLink& contour : contours) editor.Add(contour);
   UpdateFates(*graph, EdgelFate::kPrunedLink, fates);
   FinishLinks(input, options, graph);
   return counts;

@@ -25,9 +25,9 @@ struct CompletionCounts {
 };
 
 // Completes a traced drawing (ours; algorithm/topology.md). Removes links with too little support,
-// sets the outlines of smooth bodies (LinkKind::kContour) apart, extends links from their free
-// ends, joins ends across gaps, at corners, at nodes and to links, grows edges that the sketch
-// lacks, and tidies the result. Links need vertices; finished links (FinishLinks) have none.
+// extends links from their free ends, joins ends across gaps, at corners, at nodes and to links,
+// grows edges that the sketch lacks, and tidies the result. Links need vertices; finished links
+// (FinishLinks) have none.
 // `fates` has those of the samples that are in no link, kDrawn for the others, before and after.
 // The graph passes Validate() before and after.
 CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& sketch,

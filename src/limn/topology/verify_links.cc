@@ -7,7 +7,6 @@
 #include "limn/geometry/tangent_frame.h"
 #include "limn/model/view_finder.h"
 #include "limn/topology/link_geometry.h"
-#include "limn/topology/occluding_contours.h"
 #include "limn/util/map_items.h"
 
 namespace limn {
@@ -56,13 +55,12 @@ int NumPrimaryViews(const CurveSketch& sketch, const DrawingLink& link) {
   return static_cast<int>(views.size());
 }
 
-enum class Belief : uint8_t { kNo, kUncertain, kCertain, kContour };
+enum class Belief : uint8_t { kNo, kUncertain, kCertain };
 
 struct FirstJudgment {
   Belief belief = Belief::kNo;
   double num_containing = 0;  // mean number of views that contain a point of the link
   std::vector<ViewId> near;   // views that may contain the link
-  double contour_confidence = 0;
 };
 
 FirstJudgment Judge(const TopologyInput& input, const CurveSketch& sketch,
@@ -72,14 +70,8 @@ FirstJudgment Judge(const TopologyInput& input, const CurveSketch& sketch,
   const double required = std::clamp(options.primary_views_share * num_containing,
                                      options.min_primary_views, options.max_primary_views);
   Belief belief = MeanAgreement(link) >= required ? Belief::kCertain : Belief::kUncertain;
-  double contour_confidence = 0;
-  if (NumPrimaryViews(sketch, link) < kMinMergedViews) {
-    belief = Belief::kNo;
-  } else if (const auto confidence = ContourConfidence(input, link, near)) {
-    belief = Belief::kContour;
-    contour_confidence = *confidence;
-  }
-  return {belief, num_containing, std::move(near), contour_confidence};
+  if (NumPrimaryViews(sketch, link) < kMinMergedViews) belief = Belief::kNo;
+  return {belief, num_containing, std::move(near)};
 }
 
 // The edgels of a view that certain links explain.
@@ -145,9 +137,9 @@ double OwnViews(const TopologyInput& input, const std::vector<std::optional<Edge
 
 }  // namespace
 
-LinkVerdicts VerifyLinks(const TopologyInput& input, const CurveSketch& sketch,
-                         const TopologyOptions& options, const DrawingGraph& graph,
-                         const RunContext& context) {
+std::vector<uint8_t> VerifyLinks(const TopologyInput& input, const CurveSketch& sketch,
+                                 const TopologyOptions& options, const DrawingGraph& graph,
+                                 const RunContext& context) {
   const ViewFinder finder(input.views);
   const auto first = MapItems(context, "link agreement", graph.links.size(), [&](size_t l) {
     const DrawingLink& link = graph.links[l];
@@ -157,19 +149,13 @@ LinkVerdicts VerifyLinks(const TopologyInput& input, const CurveSketch& sketch,
   ParallelFor(context, "claimed edgels", claimed.size(), [&](size_t v) {
     claimed[v] = ClaimedEdgels(input, graph, first, static_cast<ViewId>(v));
   });
-  LinkVerdicts result;
-  for (const FirstJudgment& judgment : first) {
-    result.contour_confidence.push_back(judgment.contour_confidence);
-  }
-  result.verdicts = MapItems(context, "link support", first.size(), [&](size_t l) -> uint8_t {
-    const auto& [belief, num_containing, near, contour_confidence] = first[l];
-    if (belief == Belief::kContour) return kIsContour;
+  return MapItems(context, "link support", first.size(), [&](size_t l) -> uint8_t {
+    const auto& [belief, num_containing, near] = first[l];
     if (belief != Belief::kUncertain) return belief == Belief::kCertain;
     const double required = std::clamp(options.own_views_share * num_containing,
                                        options.min_own_views, options.max_own_views);
     return OwnViews(input, claimed, graph.links[l], near) >= required;
   });
-  return result;
 }
 
 }  // namespace limn

@@ -52,7 +52,7 @@ struct Scene {
     testing::ExpectValid(graph);
     const auto support = BuildViewEdgels(curves, {});
     const TopologyInput input = {views, curves, support, {1.0, 1.0, M_PI / 12}};
-    return VerifyLinks(input, sketch, options, graph, {}).verdicts;
+    return VerifyLinks(input, sketch, options, graph, {});
   }
 
   TopologyOptions options;

@@ -1,0 +1,138 @@
+#include "limn/kinds/smooth_outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "limn/geometry/polyline.h"
+#include "limn/kinds/outline_fit.h"
+#include "limn/support/view_edgels.h"
+#include "limn/util/median.h"
+
+namespace limn {
+namespace {
+
+// A smaller radius is that of a rounded edge, px.
+constexpr double kMinBodyPx = 3;
+// Edgels of an outline may be this much farther from it than edgels usually are from edges.
+constexpr double kMaxRmsRatio = 1.6;
+// Least evidence of an outline, of one that speaks for others, and of one that no other speaks for;
+// the last must be shown by this share of the views where it is not at the place of the edge.
+constexpr double kMinOutlineRatio = 0.3;
+constexpr double kSpeaksRatio = 1;
+constexpr double kAloneRatio = 4;
+constexpr double kAloneShownShare = 0.4;
+constexpr size_t kAlonePlaces = 4;
+constexpr int kMinSpeakers = 2;
+// Outlines agree on a body if its radii differ by at most this share of the larger one, and at
+// least half of the axis points of one lie within this share of it, or 2 px, of the other axis.
+constexpr double kRadiusTolerance = 0.25;
+constexpr double kAxisTolerance = 0.25;
+constexpr double kMinTolerancePx = 2;
+
+double RadiusOf(const OutlineEvidence& evidence) { return std::abs(evidence.body.radius); }
+
+bool MayBeOutline(const OutlineEvidence& evidence, double usual_rms_px) {
+  return evidence.log_ratio > kMinOutlineRatio &&
+         RadiusOf(evidence) > kMinBodyPx * evidence.footprint &&
+         evidence.body_rms_px < kMaxRmsRatio * usual_rms_px;
+}
+
+bool IsOutlineAlone(const OutlineEvidence& evidence) {
+  return evidence.log_ratio > kAloneRatio && evidence.body.axis.size() >= kAlonePlaces &&
+         evidence.num_moved_shown >= kAloneShownShare * evidence.num_moved;
+}
+
+bool HalfLieNear(const Polyline3d& points, const Polyline3d& line, double reach) {
+  const auto distance_of = [&](const Eigen::Vector3d& point) {
+    return line.size() == 1 ? (point - line.front()).norm()
+                            : std::sqrt(ClosestPoint(line, point).squared_distance);
+  };
+  const auto num_near = std::ranges::count_if(
+      points, [&](const Eigen::Vector3d& point) { return distance_of(point) < reach; });
+  return 2 * num_near >= std::ssize(points);
+}
+
+Eigen::AlignedBox3d BoxAround(const Polyline3d& points, double reach) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : points) box.extend(point);
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(reach);
+  return {box.min() - margin, box.max() + margin};
+}
+
+bool AgreeOnBody(const OutlineEvidence& a, const OutlineEvidence& b) {
+  const double larger = std::max(RadiusOf(a), RadiusOf(b));
+  if (std::abs(RadiusOf(a) - RadiusOf(b)) > kRadiusTolerance * larger) return false;
+  const double reach =
+      std::max(kMinTolerancePx * std::max(a.footprint, b.footprint), kAxisTolerance * larger);
+  if (!BoxAround(a.body.axis, reach).intersects(BoxAround(b.body.axis, 0))) return false;
+  return HalfLieNear(a.body.axis, b.body.axis, reach) ||
+         HalfLieNear(b.body.axis, a.body.axis, reach);
+}
+
+// The median over the links; how far edgels usually are from edges.
+double UsualRms(const std::vector<OutlineEvidence>& links) {
+  std::vector<double> values;
+  for (const OutlineEvidence& link : links) {
+    if (link.edge_rms_px > 0) values.push_back(link.edge_rms_px);
+  }
+  return Median(std::move(values));
+}
+
+// Per link, whether it is the outline of a smooth body.
+std::vector<uint8_t> AreOutlines(const std::vector<OutlineEvidence>& links) {
+  const double usual_rms_px = UsualRms(links);
+  std::vector<size_t> candidates;
+  for (size_t l = 0; l < links.size(); ++l) {
+    if (MayBeOutline(links[l], usual_rms_px)) candidates.push_back(l);
+  }
+  std::vector<uint8_t> are_outlines(links.size(), 0);
+  for (const size_t l : candidates) {
+    const auto num_speakers = std::ranges::count_if(candidates, [&](size_t other) {
+      return other != l && links[other].log_ratio > kSpeaksRatio &&
+             AgreeOnBody(links[l], links[other]);
+    });
+    are_outlines[l] = num_speakers >= kMinSpeakers || IsOutlineAlone(links[l]);
+  }
+  return are_outlines;
+}
+
+}  // namespace
+
+OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& context) {
+  const std::vector<View>& views = input.scene.views;
+  const auto edgels = BuildViewEdgels(input.scene.curves, context);
+  const TopologyInput images = {views, input.scene.curves, edgels, {}, input.scene.box};
+  const ViewFinder finder(views);
+  OutlinesResult result = {WithoutOutlines(input.graph), {}};
+  std::vector<DrawingLink>& links = result.graph.links;
+  std::vector<OutlineEvidence> evidence(links.size());
+  ParallelFor(context, "outlines of smooth bodies", links.size(), [&](size_t l) {
+    if (links[l].tentative || links[l].kind == LinkKind::kRod) return;
+    evidence[l] = CompareWithBodies(images, finder, links[l]);
+  });
+  const std::vector<uint8_t> are_outlines = AreOutlines(evidence);
+  for (size_t l = 0; l < links.size(); ++l) {
+    if (!are_outlines[l]) continue;
+    links[l].kind = LinkKind::kContour;
+    links[l].kind_confidence = 1 / (1 + std::exp(-evidence[l].log_ratio));
+  }
+  result.summary.stage = "outlines of smooth bodies";
+  result.summary.in = {{"links", std::ssize(links)}};
+  result.summary.kept = {{"links: outlines", std::ranges::count(are_outlines, 1)}};
+  return result;
+}
+
+DrawingGraph WithoutOutlines(DrawingGraph graph) {
+  for (DrawingLink& link : graph.links) {
+    if (link.kind != LinkKind::kContour) continue;
+    link.kind = LinkKind::kUnknown;
+    link.kind_confidence = 0;
+  }
+  return graph;
+}
+
+}  // namespace limn

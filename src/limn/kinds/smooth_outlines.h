@@ -1,0 +1,31 @@
+#pragma once
+
+#include "limn/model/curves_scene.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/util/parallel.h"
+#include "limn/util/stage_summary.h"
+
+namespace limn {
+
+// The supporting views of the links are ids of the scene's views.
+struct OutlinesInput {
+  CurvesScene scene;
+  const DrawingGraph& graph;
+};
+
+struct OutlinesResult {
+  DrawingGraph graph;
+  StageSummary summary;
+};
+
+// Finds the links that are outlines of smooth bodies, of which every view sees another curve, and
+// makes them contours (ours; algorithm/kinds.md#smooth-bodies). A body, round across the link, must
+// explain the edgels of all views better than an edge in space, and outlines on two other links
+// must agree on it. Tentative links and rods stay. Contours of an earlier run are judged anew.
+// Throws Cancelled. Time: that of CompareWithBodies for each link.
+OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& context);
+
+// The drawing without contours: their kind is unknown.
+DrawingGraph WithoutOutlines(DrawingGraph graph);
+
+}  // namespace limn
