@@ -12,6 +12,9 @@ namespace limn {
 void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
                       const DrawingMetadata& metadata, const std::string& identity) {
   ByteWriter out;
+  size_t num_bytes = metadata.options_json.size() + 100 * (1 + metadata.view_names.size());
+  for (const Curve3D& curve : sketch.curves) num_bytes += NumCurve3dBytes(curve);
+  out.Reserve(num_bytes);
   out.PutString(metadata.refined_cameras);
   out.PutString(metadata.options_json);
   out.PutCount(metadata.view_names.size());
@@ -35,10 +38,9 @@ std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
   const size_t num_views = in.GetCount(sizeof(uint64_t));
   for (size_t i = 0; i < num_views; ++i) stored.metadata.view_names.push_back(in.GetString());
   in.Check(num_views == curves.size(), "made from another number of views");
-  const CurvesOfViews of_views = PointersTo(curves);
   const size_t num_curves = in.GetCount(kCurve3dBytes);
   for (size_t i = 0; i < num_curves; ++i) {
-    stored.sketch.curves.push_back(GetCurve3d(&in, of_views));
+    stored.sketch.curves.push_back(GetCurve3d(&in, curves));
   }
   in.ExpectEnd();
   return stored;

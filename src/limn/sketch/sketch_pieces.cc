@@ -231,6 +231,10 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
     inverse_depth.push_back(depths[i].inverse_depth);
     weight.push_back(depths[i].weight + 1e-9);
   }
+  curve.points_in_world.reserve(run.size);
+  curve.tangents_in_world.reserve(run.size);
+  curve.depth_sigma.reserve(run.size);
+  curve.certain.reserve(run.size);
   const double focal = view.camera.MeanFocal();
   for (int k = 0; k < run.size; ++k) {
     const int i = (run.begin + k) % count;
@@ -255,6 +259,7 @@ void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurve
                     Curve3D* curve) {
   const CurveFragment& fragment = curves[curve->anchor.view].fragments[curve->anchor.fragment];
   std::vector<EdgelRef> of_sample;
+  curve->support.offsets.reserve(curve->size() + 1);
   for (size_t s = 0; s < curve->size(); ++s) {
     of_sample.clear();
     const EdgelId own = fragment.edgel_ids[(curve->anchor.begin + s) % fragment.edgel_ids.size()];
@@ -268,6 +273,7 @@ void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurve
     std::sort(of_sample.begin(), of_sample.end());
     curve->support.Append(of_sample);
   }
+  curve->support.edgels.shrink_to_fit();
 }
 
 }  // namespace limn
