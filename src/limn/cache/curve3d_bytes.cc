@@ -74,11 +74,6 @@ void CheckSizes(const Curve3D& curve) {
 
 }  // namespace
 
-size_t NumCurve3dBytes(const Curve3D& curve) {
-  return kCurve3dBytes + curve.size() * kSampleBytes +
-         curve.support.edgels.size() * 2 * sizeof(int32_t);
-}
-
 void PutCurve3d(const Curve3D& curve, ByteWriter* out) {
   CheckSizes(curve);
   out->Put<int32_t>(curve.anchor.view);

@@ -14,9 +14,6 @@ namespace limn {
 // The smallest size of a curve in bytes.
 constexpr size_t kCurve3dBytes = 3 * sizeof(int32_t) + 1 + sizeof(double) + sizeof(uint64_t);
 
-// The size of a curve in bytes.
-size_t NumCurve3dBytes(const Curve3D& curve);
-
 // Throws InputError if the curve's lists differ in length.
 void PutCurve3d(const Curve3D& curve, ByteWriter* out);
 

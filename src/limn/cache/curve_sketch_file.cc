@@ -12,9 +12,6 @@ namespace limn {
 void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
                       const DrawingMetadata& metadata, const std::string& identity) {
   ByteWriter out;
-  size_t num_bytes = metadata.options_json.size() + 100 * (1 + metadata.view_names.size());
-  for (const Curve3D& curve : sketch.curves) num_bytes += NumCurve3dBytes(curve);
-  out.Reserve(num_bytes);
   out.PutString(metadata.refined_cameras);
   out.PutString(metadata.options_json);
   out.PutCount(metadata.view_names.size());

@@ -53,7 +53,8 @@ std::string GetPackedText(ByteReader* in);
 class StepWriter {
  public:
   void Put(int64_t number) {
-    const int64_t step = number - last_;
+    const auto step =
+        static_cast<int64_t>(static_cast<uint64_t>(number) - static_cast<uint64_t>(last_));
     last_ = number;
     PutUnsigned(static_cast<uint64_t>(step) << 1 ^ static_cast<uint64_t>(step >> 63));
   }

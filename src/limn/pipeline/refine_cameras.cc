@@ -11,6 +11,7 @@
 #include "limn/model/footprint.h"
 #include "limn/model/shrunk.h"
 #include "limn/pipeline/drawing_stages.h"
+#include "limn/util/return_memory.h"
 
 namespace limn {
 namespace {
@@ -115,6 +116,7 @@ void CameraRefiner::RefineBySmallPictures() {
   first_images_.resize(input_.views.size());
   LookAtSmallPictures();
   first_images_.clear();
+  ReturnFreedMemory();
 }
 
 void CameraRefiner::LookAtSmallPictures() {

@@ -89,7 +89,7 @@ ViewSketch WithSupport(const PrimaryView& primary, const ViewDepths& depths) {
   ViewSketch sketch = SketchOfDepths(primary.id, scene.views[primary.id], scene.curves[primary.id], depths);
   const std::vector<ViewId> support_views = PartnersIn(primary.plan);
   for (Curve3D& curve : sketch.curves) {
-    CollectSupport(scene.views, scene.curves, primary.edgels.views, support_views,
+    CollectSupport(scene.views, scene.curves, primary.edgels.indices, support_views,
                    primary.options.Gate(), &curve);
   }
   return sketch;

@@ -254,7 +254,7 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
 }
 
 void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                    const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
+                    const std::vector<std::unique_ptr<EdgelIndex>>& edgels,
                     const std::vector<ViewId>& candidate_views, const SupportGate& gate,
                     Curve3D* curve) {
   const CurveFragment& fragment = curves[curve->anchor.view].fragments[curve->anchor.fragment];
@@ -267,7 +267,7 @@ void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurve
     for (const ViewId v : candidate_views) {
       const auto sight = See(views[v], curve->points_in_world[s], curve->tangents_in_world[s]);
       if (!sight) continue;
-      const auto match = edgels[v]->edgels.Best(sight->position_px, sight->direction, gate);
+      const auto match = edgels[v]->Best(sight->position_px, sight->direction, gate);
       if (match) of_sample.push_back({v, match->edgel});
     }
     std::sort(of_sample.begin(), of_sample.end());

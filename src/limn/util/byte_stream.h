@@ -24,8 +24,6 @@ class ByteWriter {
     std::memcpy(raw, &value, sizeof(T));
     bytes_.append(raw, sizeof(T));
   }
-  // Makes room. Growing would take up to three times the size.
-  void Reserve(size_t num_bytes) { bytes_.reserve(num_bytes); }
   void PutCount(size_t count) { Put<uint64_t>(count); }
   void PutString(std::string_view text) {
     PutCount(text.size());
