@@ -7,6 +7,7 @@
 #include "limn/cache/packed_support.h"
 #include "limn/cache/stage_file.h"
 #include "limn/sketch/fragment_rays.h"
+#include "limn/sketch/sketch_of_depths.h"
 #include "limn/util/byte_stream.h"
 
 namespace limn {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <iterator>
 
+#include "limn/sketch/sketch_of_depths.h"
 #include "limn/sketch/sketch_pieces.h"
 
 namespace limn {

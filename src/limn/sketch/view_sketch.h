@@ -26,11 +26,4 @@ struct ViewSketch {
   std::vector<EdgelFate> fates;  // per edgel of the view
 };
 
-// The sketch of a view with these depths, without support.
-ViewSketch SketchOfDepths(ViewId id, const View& view, const ImageCurves& curves,
-                          const ViewDepths& depths);
-
-// For sketches: the fates of edgels outside fragments; of the others, kNotLinked.
-std::vector<EdgelFate> FatesOutsideFragments(const EdgeMap& edge_map);
-
 }  // namespace limn

@@ -13,6 +13,7 @@
 #include "limn/cache/image_curves_file.h"
 #include "limn/cache/view_sketch_file.h"
 #include "limn/formats/temporary_folder.h"
+#include "limn/sketch/sketch_of_depths.h"
 #include "limn/util/errors.h"
 
 namespace limn {

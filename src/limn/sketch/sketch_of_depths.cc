@@ -1,4 +1,4 @@
-#include "limn/sketch/view_sketch.h"
+#include "limn/sketch/sketch_of_depths.h"
 
 #include <utility>
 
