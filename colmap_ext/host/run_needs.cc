@@ -1,6 +1,7 @@
 #include "colmap_ext/host/run_needs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -12,16 +13,19 @@ namespace {
 
 // Measured (algorithm/cache.md#what-a-run-needs).
 constexpr double kProgramBytes = 100e6;
-// Per pixel of all views of a tile: edgels, their indices, sketch and samples.
-constexpr double kBytesPerPixel = 5;
-// Per pixel of the largest view, per thread: the planes that edges are found in.
+// Edgels lie on curves, whose length grows with the side of a view, not with its area.
+constexpr double kEdgelsPerSidePx = 80;
+// Of an edgel with its indices, and its share of sketch and samples.
+constexpr double kBytesPerEdgel = 200;
+constexpr double kCacheBytesPerEdgel = 32;
+// Of the largest view, per thread: the planes that edges are found in.
 constexpr double kBytesPerPixelOfThread = 60;
-// Of the cache, per pixel of all views.
-constexpr double kCacheBytesPerPixel = 1;
 
 double NumPixels(const View& view) {
   return static_cast<double>(view.camera.width) * view.camera.height;
 }
+
+double NumEdgels(double num_pixels) { return kEdgelsPerSidePx * std::sqrt(num_pixels); }
 
 // The number after a name at the beginning of a line, as in /proc/meminfo.
 std::optional<double> NumberAfter(const std::string& path, std::string_view name) {
@@ -55,8 +59,8 @@ RunNeeds EstimateNeeds(const std::vector<View>& views, const TileOptions& tiles,
   needs.memory_bytes = kProgramBytes;
   for (size_t v = 0; v < pixels.size(); ++v) {
     const bool is_in_memory = !is_in_tiles || v < static_cast<size_t>(tiles.max_views);
-    if (is_in_memory) needs.memory_bytes += kBytesPerPixel * pixels[v];
-    needs.cache_bytes += kCacheBytesPerPixel * pixels[v];
+    if (is_in_memory) needs.memory_bytes += kBytesPerEdgel * NumEdgels(pixels[v]);
+    needs.cache_bytes += kCacheBytesPerEdgel * NumEdgels(pixels[v]);
   }
   if (!pixels.empty()) {
     needs.memory_bytes += num_threads * kBytesPerPixelOfThread * pixels.front();
@@ -75,8 +79,8 @@ std::optional<double> AvailableMemory() {
 }
 
 std::vector<std::string> LinesOf(const RunNeeds& needs, const std::optional<double>& available) {
-  std::vector<std::string> lines = {"This takes up to about " + Megabytes(needs.memory_bytes) +
-                                    " of memory, and up to about " + Megabytes(needs.cache_bytes) +
+  std::vector<std::string> lines = {"This takes about " + Megabytes(needs.memory_bytes) +
+                                    " of memory and about " + Megabytes(needs.cache_bytes) +
                                     " on disk for the cache"};
   if (available && *available < needs.memory_bytes) {
     lines.push_back("WARNING: " + Megabytes(*available) +

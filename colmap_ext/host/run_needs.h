@@ -9,7 +9,7 @@
 
 namespace limn::colmap_ext {
 
-// What a drawing needs, about: an upper bound for most photographs. Few edges need less.
+// What a drawing needs, about: photographs with many edges need more, those with few less.
 struct RunNeeds {
   double memory_bytes = 0;  // at its peak
   double cache_bytes = 0;   // in curves/cache

@@ -53,7 +53,7 @@ void PutEdgels(const std::vector<Edgel>& edgels, ByteWriter* out) {
   }
 }
 
-bool IsFinite(const Edgel& edgel) {
+bool IsFiniteEdgel(const Edgel& edgel) {
   return edgel.position_px.allFinite() && std::isfinite(edgel.tangent_rad) &&
          std::isfinite(edgel.strength) && edgel.stored_px.allFinite() &&
          edgel.stored_from_virtual.allFinite();
@@ -78,7 +78,7 @@ std::vector<Edgel> GetEdgels(ByteReader* in) {
                         [i](Edgel* e, float px) { e->stored_from_virtual(i / 2, i % 2) = px; });
     }
   }
-  in->Check(std::ranges::all_of(edgels, IsFinite), "edgel not finite");
+  in->Check(std::ranges::all_of(edgels, IsFiniteEdgel), "edgel not finite");
   return edgels;
 }
 

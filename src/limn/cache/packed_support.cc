@@ -160,14 +160,14 @@ std::vector<EdgelId> EdgelsAlongFragments(const ImageCurves& curves) {
   return edgels;
 }
 
-void PutSupport(const std::vector<Curve3D>& sketched, const std::vector<ViewId>& views,
+void PutPackedSupport(const std::vector<Curve3D>& sketched, const std::vector<ViewId>& views,
                 const std::vector<ImageCurves>& curves, ByteWriter* out) {
   SupportWriter writer(views, curves);
   for (const Curve3D& curve : sketched) writer.Put(curve);
   writer.Finish(out);
 }
 
-void GetSupport(const std::vector<ViewId>& views, const std::vector<ImageCurves>& curves,
+void GetPackedSupport(const std::vector<ViewId>& views, const std::vector<ImageCurves>& curves,
                 ByteReader* in, std::vector<Curve3D>* sketched) {
   SupportReader reader(views, curves, in);
   for (Curve3D& curve : *sketched) {

@@ -15,10 +15,10 @@ std::vector<EdgelId> EdgelsAlongFragments(const ImageCurves& curves);
 // by successive edgels of a fragment, which takes a byte or less each. `views` are the ids of the
 // views, ascending, as the file counts them; those of others than the writer's are -1 where a view
 // is gone: its edgels are left out. `curves` are the image curves by id.
-void PutSupport(const std::vector<Curve3D>& sketched, const std::vector<ViewId>& views,
+void PutPackedSupport(const std::vector<Curve3D>& sketched, const std::vector<ViewId>& views,
                 const std::vector<ImageCurves>& curves, ByteWriter* out);
 // Of curves that have no support yet.
-void GetSupport(const std::vector<ViewId>& views, const std::vector<ImageCurves>& curves,
+void GetPackedSupport(const std::vector<ViewId>& views, const std::vector<ImageCurves>& curves,
                 ByteReader* in, std::vector<Curve3D>* sketched);
 
 }  // namespace limn

@@ -113,7 +113,7 @@ class DepthReader {
   size_t next_depth_ = 0;
 };
 
-bool IsFinite(const Curve3D& curve) {
+bool IsFiniteCurve(const Curve3D& curve) {
   const auto is_finite = [](const Eigen::Vector3d& vector) { return vector.allFinite(); };
   return std::ranges::all_of(curve.points_in_world, is_finite) &&
          std::ranges::all_of(curve.tangents_in_world, is_finite) &&
@@ -127,7 +127,7 @@ void WriteViewSketch(const std::string& path, const ViewDepths& depths,
                      const std::vector<ImageCurves>& curves, const std::string& identity) {
   ByteWriter out;
   PutDepths(depths, &out);
-  PutSupport(sketched, depends_on, curves, &out);
+  PutPackedSupport(sketched, depends_on, curves, &out);
   WriteStageFile(path, StageKind::kViewSketch, identity, out.bytes());
 }
 
@@ -142,8 +142,8 @@ std::optional<ViewSketch> ReadViewSketch(const std::string& path, ViewId id,
   DepthReader depths(&in);
   ViewSketch sketch =
       SketchOfDepths(id, views[id], curves[id], depths.DepthsOf(views[id], curves[id]));
-  in.Check(std::ranges::all_of(sketch.curves, IsFinite), "coordinate not finite");
-  GetSupport(depends_on, curves, &in, &sketch.curves);
+  in.Check(std::ranges::all_of(sketch.curves, IsFiniteCurve), "coordinate not finite");
+  GetPackedSupport(depends_on, curves, &in, &sketch.curves);
   in.ExpectEnd();
   return sketch;
 }

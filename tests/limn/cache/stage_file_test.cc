@@ -191,7 +191,8 @@ std::vector<ImageCurves> RowsOfEdgels() {
   curves.fragments.resize(2);
   for (EdgelId id = 0; id < 50; ++id) {
     Edgel& edgel = curves.edge_map.edgels.emplace_back();
-    edgel.position_px = {id % 40 + 0.25, 20 + id / 40};
+    edgel.position_px = {id % 40 + 0.25, 20.0 + id / 40};
+    edgel.stored_px = edgel.position_px.cast<float>();
     curves.fragments[id / 40].edgel_ids.push_back(id);
   }
   return {curves, curves, curves};
