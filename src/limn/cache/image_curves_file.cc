@@ -40,16 +40,24 @@ void GetNumbers(ByteReader* in, std::vector<Edgel>* edgels, const Set& set) {
 void PutEdgels(const std::vector<Edgel>& edgels, ByteWriter* out) {
   const bool as_stored = std::ranges::all_of(edgels, IsAsStored);
   out->Put<uint8_t>(as_stored);
-  PutNumbers(edgels, [](const Edgel& e) { return e.position_px.x(); }, out);
-  PutNumbers(edgels, [](const Edgel& e) { return e.position_px.y(); }, out);
-  PutNumbers(edgels, [](const Edgel& e) { return e.tangent_rad; }, out);
-  PutNumbers(edgels, [](const Edgel& e) { return e.strength; }, out);
-  PutNumbers(edgels, [](const Edgel& e) { return e.position_sigma_px; }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.position_px.x(); }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.position_px.y(); }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.tangent_rad; }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.strength; }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.position_sigma_px; }, out);
   if (as_stored) return;
-  PutNumbers(edgels, [](const Edgel& e) { return e.stored_px.x(); }, out);
-  PutNumbers(edgels, [](const Edgel& e) { return e.stored_px.y(); }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.stored_px.x(); }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.stored_px.y(); }, out);
   for (int i = 0; i < 4; ++i) {
-    PutNumbers(edgels, [i](const Edgel& e) { return e.stored_from_virtual(i / 2, i % 2); }, out);
+    PutNumbers(
+        edgels, [i](const Edgel& e) { return e.stored_from_virtual(i / 2, i % 2); }, out);
   }
 }
 

@@ -100,9 +100,7 @@ void StepWriter::PutUnsigned(uint64_t number) {
   bytes_.push_back(static_cast<char>(number));
 }
 
-void StepWriter::Finish(ByteWriter* out) const {
-  PutPackedText(bytes_, out);
-}
+void StepWriter::Finish(ByteWriter* out) const { PutPackedText(bytes_, out); }
 
 StepReader::StepReader(ByteReader* in) : in_(in), bytes_(GetPackedText(in)) {}
 

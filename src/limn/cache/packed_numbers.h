@@ -29,8 +29,8 @@ template <typename T>
 void PutPacked(const std::vector<T>& numbers, ByteWriter* out) {
   static_assert(std::is_arithmetic_v<T>);
   out->PutCount(numbers.size());
-  internal::PutPlanes(
-      {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)}, sizeof(T), out);
+  internal::PutPlanes({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)},
+                      sizeof(T), out);
 }
 
 // Throws IoError if the bytes are not those of packed numbers.

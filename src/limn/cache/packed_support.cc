@@ -69,16 +69,15 @@ class SupportWriter {
   }
   int PlaceOf(const EdgelRef& ref) const {
     const std::vector<int>& places = places_[CountOf(ref.view)];
-    const bool is_in_fragment = ref.edgel >= 0 &&
-                                static_cast<size_t>(ref.edgel) < places.size() &&
-                                places[ref.edgel] >= 0;
+    const bool is_in_fragment =
+        ref.edgel >= 0 && static_cast<size_t>(ref.edgel) < places.size() && places[ref.edgel] >= 0;
     if (!is_in_fragment) throw InputError("support by an edgel of no fragment");
     return places[ref.edgel];
   }
 
   const std::vector<ViewId>& views_;
-  std::vector<std::vector<int>> places_;               // per view
-  std::vector<std::vector<PlaceAtSample>> of_view_;    // of the curve at hand
+  std::vector<std::vector<int>> places_;             // per view
+  std::vector<std::vector<PlaceAtSample>> of_view_;  // of the curve at hand
   StepWriter steps_;
 };
 
@@ -161,14 +160,14 @@ std::vector<EdgelId> EdgelsAlongFragments(const ImageCurves& curves) {
 }
 
 void PutPackedSupport(const std::vector<Curve3D>& sketched, const std::vector<ViewId>& views,
-                const std::vector<ImageCurves>& curves, ByteWriter* out) {
+                      const std::vector<ImageCurves>& curves, ByteWriter* out) {
   SupportWriter writer(views, curves);
   for (const Curve3D& curve : sketched) writer.Put(curve);
   writer.Finish(out);
 }
 
 void GetPackedSupport(const std::vector<ViewId>& views, const std::vector<ImageCurves>& curves,
-                ByteReader* in, std::vector<Curve3D>* sketched) {
+                      ByteReader* in, std::vector<Curve3D>* sketched) {
   SupportReader reader(views, curves, in);
   for (Curve3D& curve : *sketched) {
     const ImageCurves& of_view = curves[curve.anchor.view];

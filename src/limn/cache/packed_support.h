@@ -16,9 +16,9 @@ std::vector<EdgelId> EdgelsAlongFragments(const ImageCurves& curves);
 // views, ascending, as the file counts them; those of others than the writer's are -1 where a view
 // is gone: its edgels are left out. `curves` are the image curves by id.
 void PutPackedSupport(const std::vector<Curve3D>& sketched, const std::vector<ViewId>& views,
-                const std::vector<ImageCurves>& curves, ByteWriter* out);
+                      const std::vector<ImageCurves>& curves, ByteWriter* out);
 // Of curves that have no support yet.
 void GetPackedSupport(const std::vector<ViewId>& views, const std::vector<ImageCurves>& curves,
-                ByteReader* in, std::vector<Curve3D>* sketched);
+                      ByteReader* in, std::vector<Curve3D>* sketched);
 
 }  // namespace limn

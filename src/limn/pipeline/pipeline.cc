@@ -47,9 +47,9 @@ UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<Image
                         std::move(curves), options, context);
   const auto draw = [&](UnrefinedScene* scene) {
     TakeCameras(refiner, scene);
-    scene->drawn = Draw(SeenBy(scene->cameras, input),
-                        scene->cameras ? scene->curves : refiner.given_curves(), options, context,
-                        on_stage_end);
+    scene->drawn =
+        Draw(SeenBy(scene->cameras, input), scene->cameras ? scene->curves : refiner.given_curves(),
+             options, context, on_stage_end);
   };
   refiner.RefineBySmallPictures();
   const bool had_moved = refiner.HaveMoved();

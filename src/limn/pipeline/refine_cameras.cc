@@ -101,9 +101,8 @@ double MeanViewPxPerPicturePx(const std::vector<View>& views, int factor) {
 
 }  // namespace
 
-CameraRefiner::CameraRefiner(const CameraRefinementInput& input,
-                             std::vector<ImageCurves> curves, const PipelineOptions& options,
-                             const RunContext& context)
+CameraRefiner::CameraRefiner(const CameraRefinementInput& input, std::vector<ImageCurves> curves,
+                             const PipelineOptions& options, const RunContext& context)
     : input_(input),
       options_(options),
       context_(context),

@@ -47,11 +47,10 @@ class SketchStore {
 
   std::optional<ViewSketch> Load(ViewId view, const ViewPlan& plan) const {
     const SketchIdentity identity = IdentityOf(view, plan);
-    return cache_.Find<ViewSketch>(
-        CachedKind::kSketch, NameOf(view), [&](const std::string& path) {
-          return ReadViewSketch(path, view, identity.views, input_.scene.views,
-                                input_.scene.curves, identity.key);
-        });
+    return cache_.Find<ViewSketch>(CachedKind::kSketch, NameOf(view), [&](const std::string& path) {
+      return ReadViewSketch(path, view, identity.views, input_.scene.views, input_.scene.curves,
+                            identity.key);
+    });
   }
 
   void Save(ViewId view, const ViewPlan& plan, const ViewDepths& depths,

@@ -87,7 +87,8 @@ ViewDepths FindDepths(const PrimaryView& primary, const DepthFinder& finder,
 
 ViewSketch WithSupport(const PrimaryView& primary, const ViewDepths& depths) {
   const CurvesScene& scene = primary.input.scene;
-  ViewSketch sketch = SketchOfDepths(primary.id, scene.views[primary.id], scene.curves[primary.id], depths);
+  ViewSketch sketch =
+      SketchOfDepths(primary.id, scene.views[primary.id], scene.curves[primary.id], depths);
   const std::vector<ViewId> support_views = PartnersIn(primary.plan);
   for (Curve3D& curve : sketch.curves) {
     CollectSupport(scene.views, scene.curves, primary.edgels.indices, support_views,

@@ -64,9 +64,9 @@ EdgelIndex::Grid::Grid(const EdgeMap& edge_map, const std::vector<bool>& usable)
     const Eigen::Vector2d tangent = (stored_from_virtual * in_virtual).normalized();
     const Eigen::Vector2d normal(tangent.y(), -tangent.x());
     entries[next[CellOf(edgel)]++] = {edgel.position_px,
-                                       (stored_from_virtual.transpose() * normal).cast<float>(),
-                                       (stored_from_virtual.transpose() * tangent).cast<float>(),
-                                       in_virtual.cast<float>(), static_cast<EdgelId>(id)};
+                                      (stored_from_virtual.transpose() * normal).cast<float>(),
+                                      (stored_from_virtual.transpose() * tangent).cast<float>(),
+                                      in_virtual.cast<float>(), static_cast<EdgelId>(id)};
   }
 }
 
@@ -101,7 +101,7 @@ int EdgelIndex::Grid::CellOf(const Edgel& edgel) const {
 
 template <typename Visit>
 void EdgelIndex::Grid::VisitCells(const Eigen::Vector2d& position_px, double radius_px,
-                            Visit&& visit) const {
+                                  Visit&& visit) const {
   const Eigen::Vector2d low = (position_px - origin).array() - radius_px;
   const Eigen::Vector2d high = (position_px - origin).array() + radius_px;
   // Also false for what is not a number.
@@ -178,8 +178,7 @@ void EdgelIndex::ForEachWithin(const Eigen::Vector2d& position_px, double radius
                                const std::function<void(EdgelId)>& visit) const {
   if (!grid_) return;
   grid_->VisitCells(position_px, radius_px, [&](const Entry& edgel) {
-    const bool is_near =
-        (edgel.position_px - position_px).squaredNorm() <= radius_px * radius_px;
+    const bool is_near = (edgel.position_px - position_px).squaredNorm() <= radius_px * radius_px;
     if (is_near && Has(edgel.id)) visit(edgel.id);
   });
 }

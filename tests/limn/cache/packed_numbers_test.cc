@@ -29,7 +29,11 @@ std::vector<T> Unpacked(const std::string& bytes) {
 }
 
 TEST(PackedNumbers, NoBitIsLost) {
-  std::vector<double> numbers = {0, -0.0, 1.0 / 3, -1e300, std::numeric_limits<double>::infinity(),
+  std::vector<double> numbers = {0,
+                                 -0.0,
+                                 1.0 / 3,
+                                 -1e300,
+                                 std::numeric_limits<double>::infinity(),
                                  std::numeric_limits<double>::denorm_min()};
   for (int i = 0; i < 1000; ++i) numbers.push_back(std::sin(i) * std::pow(10, i % 7));
   const std::vector<double> read = Unpacked<double>(Packed(numbers));

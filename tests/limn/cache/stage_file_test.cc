@@ -385,7 +385,8 @@ TEST(ViewSketchFile, DepthsOfOtherFragmentsAreRefused) {
     ViewDepths depths = SmallDepths();
     spoil(&depths);
     WriteViewSketch(path, depths, {}, {0, 1, 2}, RowsOfEdgels(), "id");
-    EXPECT_THROW(ReadViewSketch(path, 1, {0, 1, 2}, SketchedViews(), RowsOfEdgels(), "id"), IoError);
+    EXPECT_THROW(ReadViewSketch(path, 1, {0, 1, 2}, SketchedViews(), RowsOfEdgels(), "id"),
+                 IoError);
   };
   refuse([](ViewDepths* depths) { depths->spacing_px = 0; });
   refuse([](ViewDepths* depths) { depths->of_fragment.pop_back(); });
