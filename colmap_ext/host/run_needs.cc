@@ -11,21 +11,26 @@
 namespace limn::colmap_ext {
 namespace {
 
-// Measured (algorithm/cache.md#what-a-run-needs).
+// Measured (algorithm/cache.md#what-a-run-needs). A photograph shows about as many edges whatever
+// its size: what a view needs grows with the fourth root of its pixels.
 constexpr double kProgramBytes = 100e6;
-// Edgels lie on curves, whose length grows with the side of a view, not with its area.
-constexpr double kEdgelsPerSidePx = 80;
-// Of an edgel with its indices, and its share of sketch and samples.
-constexpr double kBytesPerEdgel = 200;
-constexpr double kCacheBytesPerEdgel = 32;
-// Of the largest view, per thread: the planes that edges are found in.
-constexpr double kBytesPerPixelOfThread = 60;
+constexpr double kBytesPerRoot = 0.75e6;
+constexpr double kCacheBytesPerRoot = 0.08e6;
+// While edges are found, of what views need in the end, and per pixel of the largest one and
+// thread.
+constexpr double kShareWithEdges = 0.35;
+constexpr double kPlaneBytesPerPixel = 40;
 
 double NumPixels(const View& view) {
   return static_cast<double>(view.camera.width) * view.camera.height;
 }
 
-double NumEdgels(double num_pixels) { return kEdgelsPerSidePx * std::sqrt(num_pixels); }
+// Sum over the first views.
+double SumOfRoots(const std::vector<double>& pixels, size_t count) {
+  double sum = 0;
+  for (size_t v = 0; v < count; ++v) sum += std::sqrt(std::sqrt(pixels[v]));
+  return sum;
+}
 
 // The number after a name at the beginning of a line, as in /proc/meminfo.
 std::optional<double> NumberAfter(const std::string& path, std::string_view name) {
@@ -54,18 +59,12 @@ RunNeeds EstimateNeeds(const std::vector<View>& views, const TileOptions& tiles,
   std::vector<double> pixels;
   for (const View& view : views) pixels.push_back(NumPixels(view));
   std::ranges::sort(pixels, std::greater());
-  const bool is_in_tiles = tiles.max_views > 0 && std::ssize(pixels) > tiles.max_views;
-  RunNeeds needs;
-  needs.memory_bytes = kProgramBytes;
-  for (size_t v = 0; v < pixels.size(); ++v) {
-    const bool is_in_memory = !is_in_tiles || v < static_cast<size_t>(tiles.max_views);
-    if (is_in_memory) needs.memory_bytes += kBytesPerEdgel * NumEdgels(pixels[v]);
-    needs.cache_bytes += kCacheBytesPerEdgel * NumEdgels(pixels[v]);
-  }
-  if (!pixels.empty()) {
-    needs.memory_bytes += num_threads * kBytesPerPixelOfThread * pixels.front();
-  }
-  return needs;
+  const size_t max_views = tiles.max_views > 0 ? tiles.max_views : pixels.size();
+  const double of_views = kBytesPerRoot * SumOfRoots(pixels, std::min(max_views, pixels.size()));
+  const double of_planes =
+      pixels.empty() ? 0 : num_threads * kPlaneBytesPerPixel * pixels.front();
+  return {kProgramBytes + std::max(of_views, kShareWithEdges * of_views + of_planes),
+          kCacheBytesPerRoot * SumOfRoots(pixels, pixels.size())};
 }
 
 std::optional<double> AvailableMemory() {
