@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "limn/util/printable.h"
+#include "limn/util/return_memory.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -95,6 +96,7 @@ void Console::RepeatWarnings() {
 }
 
 void Console::Report(const StageSummary& summary) {
+  ReturnFreedMemory();
   ReportCache();
   const RunLog::Stage stage = {summary, SecondsSince(stage_start_), PeakMemoryMb()};
   log_.stages.push_back(stage);

@@ -2,10 +2,12 @@
 
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "colmap_ext/host/provenance.h"
 #include "colmap_ext/host/ranks.h"
+#include "colmap_ext/host/run_needs.h"
 #include "colmap_ext/verbs/align.h"
 #include "colmap_ext/verbs/draw_shards.h"
 #include "colmap_ext/verbs/drawing_results.h"
@@ -93,6 +95,13 @@ DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles)
   return drawn;
 }
 
+void SayNeeds(const Project& project, const RunOptions& run, Console* console) {
+  const int num_threads =
+      run.num_threads > 0 ? run.num_threads : static_cast<int>(std::thread::hardware_concurrency());
+  const RunNeeds needs = EstimateNeeds(project.views(), run.pipeline.tiles, num_threads);
+  for (const std::string& line : LinesOf(needs, AvailableMemory())) console->Say(line);
+}
+
 }  // namespace
 
 std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& options) {
@@ -127,6 +136,7 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   const RunOptions& run = options.run;
   CheckRunOutputs(project, run);
   CheckSceneViews(project);
+  SayNeeds(project, run, console);
   const std::string replaced_cameras = CamerasOfResults(project, SketchFileName(run.pipeline.mode));
   const SceneAligner aligner(project, run.layout, options.align, console);
   auto drawn = DrawInMemory(JobOf(project, run, console), options);

@@ -275,6 +275,18 @@ def text(string):
     return struct.pack("<Q", len(string)) + string.encode()
 
 
+def counted_bytes(values):
+    """Bytes that are not deflated."""
+    return struct.pack("<QB", len(values), 0) + bytes(values)
+
+
+def packed(kind, values):
+    """Packed numbers of which no plane is deflated."""
+    items = struct.pack(f"<{len(values)}{kind}", *values)
+    size = struct.calcsize(kind)
+    return struct.pack("<Q", len(values)) + b"".join(b"\0" + items[k::size] for k in range(size))
+
+
 def stages():
     # Of the scene of sketched_scene.h.
     def sample(i):
@@ -283,16 +295,18 @@ def stages():
     curve = struct.pack("<3iB", 0, 0, 1, 0) + counted([sample(i) for i in range(1, 10)])
     sketch = text("{}") + counted([text("a.png"), text("b.png")]) + counted([curve])
     put("curve_sketch", "one", sketch)
-    put("view_sketch", "one", counted([curve]) + counted([b"\7"] * 10))
-    edgel = struct.pack("<3d8f", 1, 2, 0.5, 9, 0.1, 1, 2, 1, 0, 0, 1)
-    fragments = counted([struct.pack("<BQ3i", 0, 3, 0, 1, 2)])
-    fragments += counted([struct.pack("<3i", 0, 1, 5), struct.pack("<3i", 1, 2, 5)])
-    put("image_curves", "lens", struct.pack("<iidiB", 64, 48, 0.5, 0, 0) + counted([edgel] * 3) + fragments)
-    as_stored = struct.pack("<3d2f", 1, 2, 0.5, 9, 0.1)
-    put("image_curves", "no_lens", struct.pack("<iidiB", 64, 48, 0.5, 0, 1) + counted([as_stored] * 3) + fragments)
-    packed = zlib.compress(sketch, 1)
-    stage = b"limnfile" + struct.pack("<II", 2, 2) + text("identity")
-    stage += struct.pack("<QQ", len(sketch), len(packed)) + packed
+    depths = struct.pack("<d", 3) + packed("B", [1]) + packed("B", [96] * 4)
+    depths += packed("d", [1] * 4) + packed("d", [2] * 4) + packed("d", [80] * 4)
+    put("view_sketch", "one", depths + counted_bytes([2, 10, 0, 0] + [2] * 9 + [0, 0]))
+    ids = counted_bytes([0, 1, 0, 3, 0, 2, 2]) + struct.pack("<i", 0)
+    for name, as_stored in (("lens", 0), ("no_lens", 1)):
+        edgels = packed("d", [1, 2, 3]) + packed("d", [2] * 3) + packed("d", [0.5] * 3)
+        edgels += packed("f", [9] * 3) + packed("f", [0.1] * 3)
+        if not as_stored:
+            edgels += b"".join(packed("f", [number] * 3) for number in (1, 2, 1, 0, 0, 1))
+        put("image_curves", name, struct.pack("<iidiB", 64, 48, 0.5, 0, as_stored) + edgels + ids)
+    stage = b"limnfile" + struct.pack("<II", 6, 2) + text("identity")
+    stage += struct.pack("<Q", len(sketch)) + sketch
     put("stage_file", "sketch", stage + struct.pack("<I", zlib.crc32(stage)))
 
 

@@ -9,8 +9,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string path = limn::fuzz::ScratchPath();
   limn::WriteStageFile(path, limn::StageKind::kViewSketch, "", limn::fuzz::Text(data, size));
   return limn::fuzz::ExpectReadOrRefused([&] {
-    const std::vector<limn::ImageCurves> curves = limn::fuzz::SketchedCurves();
-    auto sketch = limn::ReadViewSketch(path, 0, limn::PointersTo(curves), "");
+    auto sketch = limn::ReadViewSketch(path, 0, {0, 1}, limn::fuzz::SketchedViews(),
+                                       limn::fuzz::SketchedCurves(), "");
     limn::fuzz::DrawAndAccount({std::move(sketch->curves)}, 0, sketch->fates);
   });
 }

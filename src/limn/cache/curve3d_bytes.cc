@@ -30,9 +30,9 @@ bool IsIndexOf(int32_t index, const std::vector<Item>& items) {
 class AnchorEdgels {
  public:
   AnchorEdgels(const ByteReader& in, const CurveAnchor& anchor, size_t num_samples,
-               const CurvesOfViews& curves)
+               const std::vector<ImageCurves>& curves)
       : view_(anchor.view), begin_(anchor.begin) {
-    const auto& fragments = curves[anchor.view]->fragments;
+    const auto& fragments = curves[anchor.view].fragments;
     in.Check(IsIndexOf(anchor.fragment, fragments), "fragment out of range");
     ids_ = &fragments[anchor.fragment].edgel_ids;
     in.Check(IsIndexOf(anchor.begin, *ids_) && num_samples <= ids_->size(),
@@ -46,7 +46,7 @@ class AnchorEdgels {
   const std::vector<EdgelId>* ids_;
 };
 
-void GetSupport(ByteReader* in, const CurvesOfViews& curves, const EdgelRef& own,
+void GetSupport(ByteReader* in, const std::vector<ImageCurves>& curves, const EdgelRef& own,
                 std::vector<EdgelRef>* of_sample) {
   of_sample->clear();
   const uint32_t count = in->Get<uint32_t>();
@@ -55,7 +55,7 @@ void GetSupport(ByteReader* in, const CurvesOfViews& curves, const EdgelRef& own
     edgel.view = in->Get<int32_t>();
     edgel.edgel = in->Get<int32_t>();
     in->Check(IsIndexOf(edgel.view, curves), "view out of range");
-    in->Check(IsIndexOf(edgel.edgel, curves[edgel.view]->edge_map.edgels), "edgel id out of range");
+    in->Check(IsIndexOf(edgel.edgel, curves[edgel.view].edge_map.edgels), "edgel id out of range");
     in->Check(of_sample->empty() || of_sample->back().view < edgel.view,
               "support not sorted by view");
     of_sample->push_back(edgel);
@@ -95,13 +95,7 @@ void PutCurve3d(const Curve3D& curve, ByteWriter* out) {
   }
 }
 
-CurvesOfViews PointersTo(const std::vector<ImageCurves>& curves) {
-  CurvesOfViews pointers;
-  for (const ImageCurves& of_view : curves) pointers.push_back(&of_view);
-  return pointers;
-}
-
-Curve3D GetCurve3d(ByteReader* in, const CurvesOfViews& curves) {
+Curve3D GetCurve3d(ByteReader* in, const std::vector<ImageCurves>& curves) {
   Curve3D curve;
   curve.anchor.view = in->Get<int32_t>();
   curve.anchor.fragment = in->Get<int32_t>();

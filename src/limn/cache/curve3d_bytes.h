@@ -17,12 +17,8 @@ constexpr size_t kCurve3dBytes = 3 * sizeof(int32_t) + 1 + sizeof(double) + size
 // Throws InputError if the curve's lists differ in length.
 void PutCurve3d(const Curve3D& curve, ByteWriter* out);
 
-// The image curves that curves in space were made from, per view as the file counts them; not null.
-using CurvesOfViews = std::vector<const ImageCurves*>;
-CurvesOfViews PointersTo(const std::vector<ImageCurves>& curves);
-
-// Everything read is checked (anchor and edgels among `curves`, numbers finite except unknown
-// sigmas); throws IoError.
-Curve3D GetCurve3d(ByteReader* in, const CurvesOfViews& curves);
+// `curves` are the image curves of all views. Everything read is checked (anchor and edgels among
+// them, numbers finite except unknown sigmas); throws IoError.
+Curve3D GetCurve3d(ByteReader* in, const std::vector<ImageCurves>& curves);
 
 }  // namespace limn

@@ -35,10 +35,9 @@ std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
   const size_t num_views = in.GetCount(sizeof(uint64_t));
   for (size_t i = 0; i < num_views; ++i) stored.metadata.view_names.push_back(in.GetString());
   in.Check(num_views == curves.size(), "made from another number of views");
-  const CurvesOfViews of_views = PointersTo(curves);
   const size_t num_curves = in.GetCount(kCurve3dBytes);
   for (size_t i = 0; i < num_curves; ++i) {
-    stored.sketch.curves.push_back(GetCurve3d(&in, of_views));
+    stored.sketch.curves.push_back(GetCurve3d(&in, curves));
   }
   in.ExpectEnd();
   return stored;

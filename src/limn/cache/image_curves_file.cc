@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <vector>
 
+#include "limn/cache/packed_numbers.h"
 #include "limn/cache/stage_file.h"
 #include "limn/util/byte_stream.h"
 
 namespace limn {
 namespace {
-
-constexpr size_t kStoredEdgelBytes = 3 * sizeof(double) + 2 * sizeof(float);
 
 // Before ApplyLens the place in the stored image is the position, and nothing needs to be told of
 // it.
@@ -19,36 +18,76 @@ bool IsAsStored(const Edgel& edgel) {
          edgel.stored_from_virtual == Eigen::Matrix2f::Identity();
 }
 
-void PutEdgel(const Edgel& edgel, bool as_stored, ByteWriter* out) {
-  out->Put(edgel.position_px.x());
-  out->Put(edgel.position_px.y());
-  out->Put(edgel.tangent_rad);
-  out->Put(edgel.strength);
-  out->Put(edgel.position_sigma_px);
-  if (as_stored) return;
-  out->Put(edgel.stored_px.x());
-  out->Put(edgel.stored_px.y());
-  for (int i = 0; i < 4; ++i) out->Put(edgel.stored_from_virtual(i / 2, i % 2));
+// The same number of all edgels.
+template <typename Get>
+void PutNumbers(const std::vector<Edgel>& edgels, const Get& get, ByteWriter* out) {
+  std::vector<decltype(get(Edgel()))> numbers;
+  numbers.reserve(edgels.size());
+  for (const Edgel& edgel : edgels) numbers.push_back(get(edgel));
+  PutPacked(numbers, out);
 }
 
-Edgel GetEdgel(bool as_stored, ByteReader* in) {
-  Edgel edgel;
-  edgel.position_px.x() = in->Get<double>();
-  edgel.position_px.y() = in->Get<double>();
-  edgel.tangent_rad = in->Get<double>();
-  edgel.strength = in->Get<float>();
-  edgel.position_sigma_px = in->Get<float>();
-  edgel.stored_px = edgel.position_px.cast<float>();
-  if (!as_stored) {
-    edgel.stored_px.x() = in->Get<float>();
-    edgel.stored_px.y() = in->Get<float>();
-    for (int i = 0; i < 4; ++i) edgel.stored_from_virtual(i / 2, i % 2) = in->Get<float>();
+template <typename T, typename Set>
+void GetNumbers(ByteReader* in, std::vector<Edgel>* edgels, const Set& set) {
+  const std::vector<T> numbers = GetPacked<T>(in);
+  in->Check(numbers.size() == edgels->size(), "not a number per edgel");
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    in->Check(!std::isnan(numbers[i]), "an edgel that is no number");
+    set(&(*edgels)[i], numbers[i]);
   }
-  in->Check(edgel.position_px.allFinite() && std::isfinite(edgel.tangent_rad) &&
-                std::isfinite(edgel.strength) && !std::isnan(edgel.position_sigma_px) &&
-                edgel.stored_px.allFinite() && edgel.stored_from_virtual.allFinite(),
-            "edgel not finite");
-  return edgel;
+}
+
+void PutEdgels(const std::vector<Edgel>& edgels, ByteWriter* out) {
+  const bool as_stored = std::ranges::all_of(edgels, IsAsStored);
+  out->Put<uint8_t>(as_stored);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.position_px.x(); }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.position_px.y(); }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.tangent_rad; }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.strength; }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.position_sigma_px; }, out);
+  if (as_stored) return;
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.stored_px.x(); }, out);
+  PutNumbers(
+      edgels, [](const Edgel& e) { return e.stored_px.y(); }, out);
+  for (int i = 0; i < 4; ++i) {
+    PutNumbers(
+        edgels, [i](const Edgel& e) { return e.stored_from_virtual(i / 2, i % 2); }, out);
+  }
+}
+
+bool IsFiniteEdgel(const Edgel& edgel) {
+  return edgel.position_px.allFinite() && std::isfinite(edgel.tangent_rad) &&
+         std::isfinite(edgel.strength) && edgel.stored_px.allFinite() &&
+         edgel.stored_from_virtual.allFinite();
+}
+
+std::vector<Edgel> GetEdgels(ByteReader* in) {
+  const bool as_stored = in->GetFlag();
+  const std::vector<double> x = GetPacked<double>(in);
+  std::vector<Edgel> edgels(x.size());
+  for (size_t i = 0; i < x.size(); ++i) edgels[i].position_px.x() = x[i];
+  GetNumbers<double>(in, &edgels, [](Edgel* e, double y) { e->position_px.y() = y; });
+  GetNumbers<double>(in, &edgels, [](Edgel* e, double rad) { e->tangent_rad = rad; });
+  GetNumbers<float>(in, &edgels, [](Edgel* e, float strength) { e->strength = strength; });
+  GetNumbers<float>(in, &edgels, [](Edgel* e, float px) { e->position_sigma_px = px; });
+  if (as_stored) {
+    for (Edgel& edgel : edgels) edgel.stored_px = edgel.position_px.cast<float>();
+  } else {
+    GetNumbers<float>(in, &edgels, [](Edgel* e, float px) { e->stored_px.x() = px; });
+    GetNumbers<float>(in, &edgels, [](Edgel* e, float px) { e->stored_px.y() = px; });
+    for (int i = 0; i < 4; ++i) {
+      GetNumbers<float>(in, &edgels,
+                        [i](Edgel* e, float px) { e->stored_from_virtual(i / 2, i % 2) = px; });
+    }
+  }
+  in->Check(std::ranges::all_of(edgels, IsFiniteEdgel), "edgel not finite");
+  return edgels;
 }
 
 void PutEdgeMap(const EdgeMap& map, ByteWriter* out) {
@@ -56,30 +95,7 @@ void PutEdgeMap(const EdgeMap& map, ByteWriter* out) {
   out->Put<int32_t>(map.height);
   out->Put(map.gradient_noise);
   out->Put<int32_t>(map.num_outside_lens);
-  const bool as_stored = std::all_of(map.edgels.begin(), map.edgels.end(), IsAsStored);
-  out->Put<uint8_t>(as_stored);
-  out->PutCount(map.edgels.size());
-  for (const Edgel& edgel : map.edgels) PutEdgel(edgel, as_stored, out);
-  out->PutCount(map.texture.size());
-  for (const EdgelId id : map.texture) out->Put<int32_t>(id);
-}
-
-EdgelId GetEdgelId(ByteReader* in, size_t num_edgels) {
-  const EdgelId id = in->Get<int32_t>();
-  in->Check(id >= 0 && static_cast<size_t>(id) < num_edgels, "edgel id out of range");
-  return id;
-}
-
-std::vector<EdgelId> GetTexture(ByteReader* in, size_t num_edgels) {
-  const size_t count = in->GetCount(sizeof(int32_t));
-  std::vector<EdgelId> texture;
-  texture.reserve(count);
-  for (size_t i = 0; i < count; ++i) {
-    const EdgelId id = GetEdgelId(in, num_edgels);
-    in->Check(texture.empty() || texture.back() < id, "edgels of texture not ascending");
-    texture.push_back(id);
-  }
-  return texture;
+  PutEdgels(map.edgels, out);
 }
 
 EdgeMap GetEdgeMap(ByteReader* in) {
@@ -90,34 +106,61 @@ EdgeMap GetEdgeMap(ByteReader* in) {
   map.gradient_noise = in->Get<double>();
   in->Check(std::isfinite(map.gradient_noise), "noise not finite");
   map.num_outside_lens = in->Get<int32_t>();
-  const bool as_stored = in->GetFlag();
-  const size_t count = in->GetCount(kStoredEdgelBytes);
-  map.edgels.reserve(count);
-  for (size_t i = 0; i < count; ++i) {
-    map.edgels.push_back(GetEdgel(as_stored, in));
-    in->Check(IsNearImage(map.width, map.height, map.edgels.back().position_px),
-              "edgel outside the image");
+  map.edgels = GetEdgels(in);
+  for (const Edgel& edgel : map.edgels) {
+    in->Check(IsNearImage(map.width, map.height, edgel.position_px), "edgel outside the image");
   }
-  map.texture = GetTexture(in, count);
   return map;
 }
 
-CurveFragment GetFragment(ByteReader* in, size_t num_edgels) {
+// Texture and fragments.
+void PutIds(const ImageCurves& curves, ByteWriter* out) {
+  StepWriter ids;
+  ids.PutUnsigned(curves.edge_map.texture.size());
+  for (const EdgelId id : curves.edge_map.texture) ids.Put(id);
+  ids.PutUnsigned(curves.fragments.size());
+  for (const CurveFragment& fragment : curves.fragments) {
+    ids.PutUnsigned(fragment.closed);
+    ids.PutUnsigned(fragment.edgel_ids.size());
+    for (const EdgelId id : fragment.edgel_ids) ids.Put(id);
+  }
+  ids.Finish(out);
+}
+
+EdgelId GetEdgelId(const ByteReader& in, size_t num_edgels, StepReader* ids) {
+  const int64_t id = ids->Get();
+  in.Check(id >= 0 && static_cast<size_t>(id) < num_edgels, "edgel id out of range");
+  return static_cast<EdgelId>(id);
+}
+
+CurveFragment GetFragment(const ByteReader& in, size_t num_edgels, StepReader* ids) {
   CurveFragment fragment;
-  fragment.closed = in->GetFlag();
-  const size_t count = in->GetCount(sizeof(int32_t));
+  const uint64_t closed = ids->GetUnsigned();
+  in.Check(closed <= 1, "a flag is neither 0 nor 1");
+  fragment.closed = closed == 1;
+  const size_t count = ids->GetCount();
   fragment.edgel_ids.reserve(count);
-  for (size_t i = 0; i < count; ++i) fragment.edgel_ids.push_back(GetEdgelId(in, num_edgels));
+  for (size_t i = 0; i < count; ++i) fragment.edgel_ids.push_back(GetEdgelId(in, num_edgels, ids));
   return fragment;
 }
 
-EdgelLink GetLink(ByteReader* in, size_t num_edgels) {
-  EdgelLink link;
-  link.a = GetEdgelId(in, num_edgels);
-  link.b = GetEdgelId(in, num_edgels);
-  link.votes = in->Get<int32_t>();
-  in->Check(link.a < link.b, "link of the link graph not ascending");
-  return link;
+void GetIds(ByteReader* in, ImageCurves* curves) {
+  const size_t num_edgels = curves->edge_map.edgels.size();
+  StepReader ids(in);
+  std::vector<EdgelId>& texture = curves->edge_map.texture;
+  const size_t num_in_texture = ids.GetCount();
+  texture.reserve(num_in_texture);
+  for (size_t i = 0; i < num_in_texture; ++i) {
+    const EdgelId id = GetEdgelId(*in, num_edgels, &ids);
+    in->Check(texture.empty() || texture.back() < id, "edgels of texture not ascending");
+    texture.push_back(id);
+  }
+  const size_t num_fragments = ids.GetCount();
+  curves->fragments.reserve(num_fragments);
+  for (size_t i = 0; i < num_fragments; ++i) {
+    curves->fragments.push_back(GetFragment(*in, num_edgels, &ids));
+  }
+  ids.ExpectEnd();
 }
 
 }  // namespace
@@ -126,18 +169,8 @@ void WriteImageCurves(const std::string& path, const ImageCurves& curves,
                       const std::string& identity) {
   ByteWriter out;
   PutEdgeMap(curves.edge_map, &out);
-  out.PutCount(curves.fragments.size());
-  for (const CurveFragment& fragment : curves.fragments) {
-    out.Put<uint8_t>(fragment.closed);
-    out.PutCount(fragment.edgel_ids.size());
-    for (const EdgelId id : fragment.edgel_ids) out.Put<int32_t>(id);
-  }
-  out.PutCount(curves.link_graph.size());
-  for (const EdgelLink& link : curves.link_graph) {
-    out.Put<int32_t>(link.a);
-    out.Put<int32_t>(link.b);
-    out.Put<int32_t>(link.votes);
-  }
+  PutIds(curves, &out);
+  out.Put<int32_t>(curves.num_unlinked);
   WriteStageFile(path, StageKind::kImageCurves, identity, out.bytes());
 }
 
@@ -147,21 +180,9 @@ std::optional<ImageCurves> ReadImageCurves(const std::string& path, const std::s
   ByteReader in(path, *payload);
   ImageCurves curves;
   curves.edge_map = GetEdgeMap(&in);
-  const size_t num_edgels = curves.edge_map.edgels.size();
-  const size_t num_fragments = in.GetCount(1 + sizeof(uint64_t));
-  curves.fragments.reserve(num_fragments);
-  for (size_t i = 0; i < num_fragments; ++i) {
-    curves.fragments.push_back(GetFragment(&in, num_edgels));
-  }
-  const size_t num_links = in.GetCount(3 * sizeof(int32_t));
-  curves.link_graph.reserve(num_links);
-  for (size_t i = 0; i < num_links; ++i) {
-    const EdgelLink link = GetLink(&in, num_edgels);
-    const EdgelLink* last = curves.link_graph.empty() ? nullptr : &curves.link_graph.back();
-    in.Check(!last || std::tie(last->a, last->b) < std::tie(link.a, link.b),
-             "link graph not sorted");
-    curves.link_graph.push_back(link);
-  }
+  GetIds(&in, &curves);
+  curves.num_unlinked = in.Get<int32_t>();
+  in.Check(curves.num_unlinked >= 0, "a negative number of edgels");
   in.ExpectEnd();
   return curves;
 }

@@ -18,9 +18,9 @@ enum class StageKind : uint32_t {
 // Writes the result of a stage, all numbers little-endian:
 //   char[8] "limnfile" | u32 format version | u32 kind | u64 n, char[n] identity |
 //   u64 m, byte[m] payload | u32 crc32 of all bytes before
-// The payload is not compressed: edgels and samples hardly shrink, and compressing some of them
-// takes longer than computing them. `identity`, chosen by the caller, represents everything that
-// the payload depends on (options, input). The same input gives the same bytes. Throws IoError.
+// What of the payload shrinks is packed already (packed_numbers.h). `identity`, chosen by the
+// caller, represents everything that the payload depends on (options, input). The same input gives
+// the same bytes. Throws IoError.
 void WriteStageFile(const std::string& path, StageKind kind, std::string_view identity,
                     std::string_view payload);
 

@@ -4,20 +4,27 @@
 #include <string>
 #include <vector>
 
-#include "limn/cache/curve3d_bytes.h"
-#include "limn/model/view_sketch.h"
+#include "limn/model/view.h"
+#include "limn/sketch/view_sketch.h"
 
 namespace limn {
 
-// Stores the sketch of one view (see stage_file.h for the container and `identity`).
-void WriteViewSketch(const std::string& path, const ViewSketch& sketch,
-                     const std::string& identity);
+// Stores the sketch of one view: the depths that its curves follow from, and their support (see
+// stage_file.h for the container and `identity`). `depends_on` are the view and those that the
+// sketch depends on, ascending: the file counts views by this list, so that other views may come
+// and go. `curves` are the image curves of all views.
+void WriteViewSketch(const std::string& path, const ViewDepths& depths,
+                     const std::vector<Curve3D>& sketched, const std::vector<ViewId>& depends_on,
+                     const std::vector<ImageCurves>& curves, const std::string& identity);
 
 // Nothing if the file is stale: made from other input or by another version of Limn. An empty
-// `identity` accepts any. `view` was sketched. Views are numbered as when it was written.
-// Everything read is checked (anchors in the view, ids in range, a fate for each of its edgels,
-// numbers finite except unknown sigmas); throws IoError.
-std::optional<ViewSketch> ReadViewSketch(const std::string& path, ViewId view,
-                                         const CurvesOfViews& curves, const std::string& identity);
+// `identity` accepts any. `depends_on` are the present ids of the views that the writer listed, -1
+// for those that are gone, but for `id`, which was sketched. Everything read is checked (depths for
+// the view's fragments, ids in range, numbers finite); throws IoError.
+std::optional<ViewSketch> ReadViewSketch(const std::string& path, ViewId id,
+                                         const std::vector<ViewId>& depends_on,
+                                         const std::vector<View>& views,
+                                         const std::vector<ImageCurves>& curves,
+                                         const std::string& identity);
 
 }  // namespace limn

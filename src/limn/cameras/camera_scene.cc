@@ -30,6 +30,21 @@ Eigen::VectorXd ParametersPerPx(const View& view) {
   return effect_px.unaryExpr([](double px) { return px > 0 ? 1 / px : 0; });
 }
 
+// Curves that lenses have mapped, back in stored pixels.
+ImageCurves AsStored(ImageCurves curves) {
+  for (Edgel& edgel : curves.edge_map.edgels) {
+    const Eigen::Vector2d tangent = edgel.stored_from_virtual.cast<double>() * edgel.Tangent();
+    edgel.position_px = edgel.stored_px.cast<double>();
+    edgel.tangent_rad = std::atan2(tangent.y(), tangent.x());
+    edgel.stored_from_virtual.setIdentity();
+  }
+  return curves;
+}
+
+void ApplyLensTo(const View& view, ImageCurves* curves) {
+  RemoveUnusableEdgels(ApplyLens(view.lens.get(), &curves->edge_map), curves);
+}
+
 }  // namespace
 
 CameraScene MakeCameraScene(const std::vector<View>& views, const SceneHints& hints,
@@ -82,24 +97,22 @@ std::vector<View> ShrunkViews(const std::vector<View>& views, int factor) {
 
 std::vector<ImageCurves> CurvesThroughLenses(const std::vector<View>& shrunk_views,
                                              const PictureLevel& level, const RunContext& context) {
-  std::vector<ImageCurves> curves = level.stored_curves;
-  ParallelFor(context, "lenses", curves.size(), [&](size_t v) {
-    const LensMap* lens = shrunk_views[v].lens.get();
-    RemoveUnusableEdgels(ApplyLens(lens, &curves[v].edge_map), &curves[v]);
-  });
+  if (level.factor == 1) return CurvesThroughOtherLenses(shrunk_views, level.curves, context);
+  std::vector<ImageCurves> curves = level.curves;
+  ParallelFor(context, "lenses", curves.size(),
+              [&](size_t v) { ApplyLensTo(shrunk_views[v], &curves[v]); });
   return curves;
 }
 
-std::vector<ImageCurves> CurvesAsStored(std::vector<ImageCurves> curves) {
-  for (ImageCurves& of_view : curves) {
-    for (Edgel& edgel : of_view.edge_map.edgels) {
-      const Eigen::Vector2d tangent = edgel.stored_from_virtual.cast<double>() * edgel.Tangent();
-      edgel.position_px = edgel.stored_px.cast<double>();
-      edgel.tangent_rad = std::atan2(tangent.y(), tangent.x());
-      edgel.stored_from_virtual.setIdentity();
-    }
-  }
-  return curves;
+std::vector<ImageCurves> CurvesThroughOtherLenses(const std::vector<View>& views,
+                                                  const std::vector<ImageCurves>& curves,
+                                                  const RunContext& context) {
+  std::vector<ImageCurves> seen(curves.size());
+  ParallelFor(context, "lenses", curves.size(), [&](size_t v) {
+    seen[v] = AsStored(curves[v]);
+    ApplyLensTo(views[v], &seen[v]);
+  });
+  return seen;
 }
 
 View WithOptics(View view, const Optics& optics) {

@@ -42,24 +42,29 @@ SceneHints HintsOf(const CameraScene& scene, const SceneHints& given,
 // All lengths multiplied.
 CameraScene Scaled(CameraScene scene, double factor);
 
-// Pictures of the scene, and the curves in them, their stored pixels: the views as they are, or the
-// photographs made smaller by a whole number.
+// Pictures of the scene, and the curves in them: the views as they are, with curves as some lenses
+// have mapped them, or the photographs made smaller by a whole number, with curves in their stored
+// pixels.
 struct PictureLevel {
   int factor = 1;
-  std::vector<ImageCurves> stored_curves;  // per view
+  std::vector<ImageCurves> curves;  // per view
 };
 
 // Pixels of a view per pixel of a picture of it: 1 for the views as they are, View::scale times the
 // factor for smaller photographs.
 double ViewPxPerPicturePx(const View& view, int factor);
 
-// The views of small pictures, and their curves as these views see them.
+// The views of small pictures.
 std::vector<View> ShrunkViews(const std::vector<View>& views, int factor);
+
+// The curves of pictures as these views of them see them.
 std::vector<ImageCurves> CurvesThroughLenses(const std::vector<View>& shrunk_views,
                                              const PictureLevel& level, const RunContext& context);
 
-// Curves that lenses have mapped, back in stored pixels.
-std::vector<ImageCurves> CurvesAsStored(std::vector<ImageCurves> curves);
+// The same of curves that other lenses have mapped.
+std::vector<ImageCurves> CurvesThroughOtherLenses(const std::vector<View>& views,
+                                                  const std::vector<ImageCurves>& curves,
+                                                  const RunContext& context);
 
 // The view with other optics; its region stays what it is in the stored image.
 View WithOptics(View view, const Optics& optics);

@@ -148,6 +148,20 @@ void AddFineEdgels(const Image& image, const std::vector<ChannelValues>& channel
   raster->DropWeakShortRuns(kStrongRatio, kMinRunPx);
 }
 
+// Those that the fine scale has not found. Returns the mean noise of the gradient.
+double AddMainEdgels(const Image& image, const std::vector<ChannelValues>& channels,
+                     const EdgeDetectionOptions& options, const std::vector<unsigned char>& usable,
+                     EdgelRaster* raster) {
+  const EdgeSignal signal = PrepareSignal(channels, image, options.sigma_px);
+  const RefinementContext context = ContextOf(signal, options.noise_factor, options.min_strength);
+  const auto is_fine = [&](const Vector2d& position, const Vector2d& tangent) {
+    return raster->HasParallelNear(position, tangent, kSameEdgePx, /*min_cosine=*/0);
+  };
+  raster->AddStrongestFirst(DetectInSignal(signal, context, usable, is_fine));
+  raster->DropWeakShortRuns(kStrongRatio, kMinRunPx);
+  return signal.noise[0].Mean();
+}
+
 // Edges of equal brightness: edgels of red and blue that no main edgel accounts for. The two
 // channels see the same edge up to 2 px apart, so the one that sees more claims its neighborhood.
 void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& options,
@@ -195,26 +209,20 @@ void CheckImage(const Image& image) {
 EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   options.Check();
   CheckImage(image);
-  const std::vector<ChannelValues> channels = SearchedChannels(image, options.channel);
-  const EdgeSignal signal = PrepareSignal(channels, image, options.sigma_px);
-  const RefinementContext context = ContextOf(signal, options.noise_factor, options.min_strength);
   const std::vector<unsigned char> usable = UsablePixels(image, options);
-
-  EdgelRaster raster(image.ViewWidth(), image.ViewHeight());
-  if (HasFineScale(options)) AddFineEdgels(image, channels, options, usable, &raster);
-  const auto is_fine = [&](const Vector2d& position, const Vector2d& tangent) {
-    return raster.HasParallelNear(position, tangent, kSameEdgePx, /*min_cosine=*/0);
-  };
-  raster.AddStrongestFirst(DetectInSignal(signal, context, usable, is_fine));
-  raster.DropWeakShortRuns(kStrongRatio, kMinRunPx);
-  if (HasMoreColors(image, options)) AddIsoluminantEdgels(image, options, usable, &raster);
-
   EdgeMap map;
+  EdgelRaster raster(image.ViewWidth(), image.ViewHeight());
+  {
+    // One scale after the other, each with its planes.
+    const std::vector<ChannelValues> channels = SearchedChannels(image, options.channel);
+    if (HasFineScale(options)) AddFineEdgels(image, channels, options, usable, &raster);
+    map.gradient_noise = AddMainEdgels(image, channels, options, usable, &raster);
+  }
+  if (HasMoreColors(image, options)) AddIsoluminantEdgels(image, options, usable, &raster);
   map.width = image.ViewWidth();
   map.height = image.ViewHeight();
   map.edgels = raster.Edgels();
   map.texture = raster.Texture(options.texture_density);
-  map.gradient_noise = signal.noise[0].Mean();
   return map;
 }
 

@@ -30,6 +30,13 @@ struct DirectedLink {
   auto operator<=>(const DirectedLink&) const = default;
 };
 
+// An undirected link: the two edgels are neighbors in `votes` curvelets.
+struct EdgelLink {
+  EdgelId a = kInvalidEdgel;  // a < b
+  EdgelId b = kInvalidEdgel;
+  int votes = 0;
+};
+
 std::vector<Eigen::Vector2d> TangentsOf(const std::vector<Edgel>& edgels);
 
 // Nothing for a link that runs sideways from one of its edgels: a hint of a junction, but not a

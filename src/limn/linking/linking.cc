@@ -1,5 +1,6 @@
 #include "limn/linking/linking.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "limn/linking/fork_hypotheses.h"
@@ -54,15 +55,25 @@ std::vector<EdgelLink> LinkOutsideTexture(const EdgeMap& map, const LinkingOptio
   return links;
 }
 
-Chaining ChainEdgels(const ImageCurves& curves, const LinkingOptions& options, const Image* image,
-                     LinkingStats* stats) {
-  const std::vector<Edgel>& edgels = curves.edge_map.edgels;
-  Chaining chaining = ChainMutualBest(edgels, curves.link_graph);
+Chaining ChainEdgels(const LinkingOptions& options, const Image* image, LinkingResult* result) {
+  const std::vector<Edgel>& edgels = result->curves.edge_map.edgels;
+  Chaining chaining = ChainMutualBest(edgels, result->link_graph);
   if (options.forks == ForkChoice::kHypotheses) {
-    stats->changed_forks =
-        ResolveForks(edgels, MeasureSideColors(edgels, image), curves.link_graph, &chaining);
+    result->stats.changed_forks =
+        ResolveForks(edgels, MeasureSideColors(edgels, image), result->link_graph, &chaining);
   }
   return chaining;
+}
+
+// Edgels outside texture that are in no link and in no fragment.
+int CountUnlinked(const LinkingResult& result) {
+  const EdgeMap& map = result.curves.edge_map;
+  std::vector<bool> linked(map.edgels.size(), false);
+  for (const EdgelLink& link : result.link_graph) linked[link.a] = linked[link.b] = true;
+  for (const CurveFragment& fragment : result.curves.fragments) {
+    for (const EdgelId id : fragment.edgel_ids) linked[id] = true;
+  }
+  return static_cast<int>(std::ranges::count(linked, false) - std::ssize(map.texture));
 }
 
 }  // namespace
@@ -76,9 +87,9 @@ LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options, const 
   stats.edgels = static_cast<int64_t>(edgels.size());
   stats.edgels_in_texture = static_cast<int64_t>(result.curves.edge_map.texture.size());
 
-  result.curves.link_graph = LinkOutsideTexture(result.curves.edge_map, options, &stats.curvelets);
-  stats.graph_links = static_cast<int64_t>(result.curves.link_graph.size());
-  Chaining chaining = ChainEdgels(result.curves, options, image, &stats);
+  result.link_graph = LinkOutsideTexture(result.curves.edge_map, options, &stats.curvelets);
+  stats.graph_links = static_cast<int64_t>(result.link_graph.size());
+  Chaining chaining = ChainEdgels(options, image, &result);
   SmoothChains smooth;
   stats.corner_breaks = BreakAtCorners(edgels, &smooth, &chaining);
   stats.bridged_gaps = BridgeGaps(edgels, options, &chaining);
@@ -89,6 +100,7 @@ LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options, const 
   for (const CurveFragment& fragment : result.curves.fragments) {
     RefitTangents(fragment, kTangentArmPx, &edgels);
   }
+  result.curves.num_unlinked = CountUnlinked(result);
   return result;
 }
 

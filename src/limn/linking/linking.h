@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "limn/linking/link_graph.h"
 #include "limn/linking/linking_options.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/image.h"
@@ -31,6 +33,8 @@ struct LinkingStats {
 
 struct LinkingResult {
   ImageCurves curves;
+  // The whole graph, sorted by (a, b). It includes links that no fragment uses.
+  std::vector<EdgelLink> link_graph;
   LinkingStats stats;
 };
 

@@ -14,19 +14,12 @@ struct CurveFragment {
   bool closed = false;
 };
 
-// An undirected link of the linker's graph: the two edgels are neighbors in `votes` curvelets.
-struct EdgelLink {
-  EdgelId a = kInvalidEdgel;  // a < b
-  EdgelId b = kInvalidEdgel;
-  int votes = 0;
-};
-
 // The curves of one image: input of every multi-view stage.
 struct ImageCurves {
   EdgeMap edge_map;
   std::vector<CurveFragment> fragments;
-  // The whole link graph, sorted by (a, b). It includes links that no fragment uses.
-  std::vector<EdgelLink> link_graph;
+  // Edgels outside texture that the linker linked to no other.
+  int num_unlinked = 0;
 };
 
 }  // namespace limn

@@ -37,8 +37,6 @@ void RemoveUnusableEdgels(const std::vector<bool>& usable, ImageCurves* curves) 
     for (CurveFragment& run : UsableRuns(fragment, usable)) fragments.push_back(std::move(run));
   }
   curves->fragments = std::move(fragments);
-  std::erase_if(curves->link_graph,
-                [&](const EdgelLink& link) { return !usable[link.a] || !usable[link.b]; });
 }
 
 }  // namespace limn

@@ -6,8 +6,8 @@
 
 namespace limn {
 
-// Removes unusable edgels from fragments and link graph: fragments are cut there, runs of fewer
-// than two edgels dropped, a closed fragment becomes open.
+// Removes unusable edgels from fragments: these are cut there, runs of fewer than two edgels
+// dropped, a closed fragment becomes open.
 void RemoveUnusableEdgels(const std::vector<bool>& usable, ImageCurves* curves);
 
 }  // namespace limn

@@ -223,7 +223,7 @@ class PairMatcher {
     curve.total_support = match.total;
     std::vector<ViewId> support_views = plan_.confirmation_views;
     std::sort(support_views.begin(), support_views.end());
-    CollectSupport(input_.scene.views, input_.scene.curves, edgels_.views, support_views,
+    CollectSupport(input_.scene.views, input_.scene.curves, edgels_.indices, support_views,
                    options_.Gate(), &curve);
     sketch->curves.push_back(std::move(curve));
   }

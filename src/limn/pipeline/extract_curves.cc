@@ -1,6 +1,6 @@
 #include "limn/pipeline/extract_curves.h"
 
-#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -22,6 +22,22 @@ constexpr int kLinkingVersion = 2;
 void CheckSize(const EdgeMap& map, const PinholeCamera& camera, const std::string& path) {
   if (map.width == camera.width && map.height == camera.height) return;
   throw IoError(path, "the edges of an image of another size");
+}
+
+int64_t CountEdgelsInFragments(const ImageCurves& curves) {
+  int64_t count = 0;
+  for (const CurveFragment& fragment : curves.fragments) {
+    count += static_cast<int64_t>(fragment.edgel_ids.size());
+  }
+  return count;
+}
+
+// Given curves: what is in none of them is linked to nothing.
+ImageCurves WithUnlinked(ImageCurves curves) {
+  curves.num_unlinked =
+      static_cast<int>(std::ssize(curves.edge_map.edgels) - std::ssize(curves.edge_map.texture) -
+                       CountEdgelsInFragments(curves));
+  return curves;
 }
 
 // From photographs to edge maps and fragments in stored pixels, by way of the cache.
@@ -69,7 +85,7 @@ class Extractor {
     std::optional<EdgeMap> edges;
     if (input_.images.given_edges) {
       GivenEdges given = Given(id);
-      if (given.are_linked) return std::move(given.curves);
+      if (given.are_linked) return WithUnlinked(std::move(given.curves));
       edges = std::move(given.curves.edge_map);
     } else if (auto found = Find(CachedKind::kEdges, input_.views[id], edge_key)) {
       edges = std::move(found->edge_map);
@@ -104,33 +120,19 @@ class Extractor {
 struct ViewCounts {
   int64_t edgels = 0;
   int64_t in_texture = 0;
-  int64_t not_linked = 0;   // nor in a link of the link graph
+  int64_t not_linked = 0;   // to any other
   int64_t not_grouped = 0;  // linked, but in no fragment that is long enough
   int64_t outside_lens = 0;
   int64_t in_fragments = 0;
   int64_t fragments = 0;
 };
 
-int64_t CountEdgelsInFragments(const ImageCurves& curves) {
-  int64_t count = 0;
-  for (const CurveFragment& fragment : curves.fragments) {
-    count += static_cast<int64_t>(fragment.edgel_ids.size());
-  }
-  return count;
-}
-
 // Before the lens.
 ViewCounts CountLinked(const ImageCurves& curves) {
   ViewCounts counts;
-  const size_t num_edgels = curves.edge_map.edgels.size();
-  std::vector<bool> linked(num_edgels, false);
-  for (const EdgelLink& link : curves.link_graph) linked[link.a] = linked[link.b] = true;
-  for (const CurveFragment& fragment : curves.fragments) {
-    for (const EdgelId id : fragment.edgel_ids) linked[id] = true;
-  }
-  counts.edgels = static_cast<int64_t>(num_edgels);
-  counts.in_texture = static_cast<int64_t>(curves.edge_map.texture.size());
-  counts.not_linked = std::count(linked.begin(), linked.end(), false) - counts.in_texture;
+  counts.edgels = std::ssize(curves.edge_map.edgels);
+  counts.in_texture = std::ssize(curves.edge_map.texture);
+  counts.not_linked = curves.num_unlinked;
   counts.not_grouped =
       counts.edgels - counts.in_texture - counts.not_linked - CountEdgelsInFragments(curves);
   return counts;

@@ -32,9 +32,10 @@ DrawnCurves Draw(const PipelineInput& input, const std::vector<ImageCurves>& cur
                     on_stage_end);
 }
 
-// Cameras and curves as the refiner has them now.
+// Cameras and, if they have moved, curves as the refiner has them now.
 void TakeCameras(const CameraRefiner& refiner, UnrefinedScene* scene) {
   if (!refiner.HaveMoved()) return;
+  scene->curves.clear();
   scene->cameras = refiner.Cameras();
   scene->curves = refiner.CurvesSeenBy(scene->cameras->views);
 }
@@ -42,31 +43,33 @@ void TakeCameras(const CameraRefiner& refiner, UnrefinedScene* scene) {
 UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<ImageCurves> curves,
                                    const PipelineOptions& options, const RunContext& context,
                                    const StageObserver& on_stage_end) {
-  CameraRefiner refiner({input.views, input.hints, input.images, input.box, *input.mounts}, curves,
-                        options, context);
-  const auto draw_and_refine = [&](UnrefinedScene* scene) {
+  CameraRefiner refiner({input.views, input.hints, input.images, input.box, *input.mounts},
+                        std::move(curves), options, context);
+  const auto draw = [&](UnrefinedScene* scene) {
     TakeCameras(refiner, scene);
     scene->drawn =
-        Draw(SeenBy(scene->cameras, input), scene->curves, options, context, on_stage_end);
-    refiner.RefineByDrawing(scene->drawn.drawing.graph);
+        Draw(SeenBy(scene->cameras, input), scene->cameras ? scene->curves : refiner.given_curves(),
+             options, context, on_stage_end);
   };
   refiner.RefineBySmallPictures();
   const bool had_moved = refiner.HaveMoved();
-  UnrefinedScene scene{std::move(curves), {}, std::nullopt};
-  draw_and_refine(&scene);
+  UnrefinedScene scene;
+  draw(&scene);
+  refiner.RefineByDrawing(scene.drawn.drawing.graph);
   if (refiner.HaveMoved() && !had_moved) {
     // What wrong cameras draw is in pieces.
     UnrefinedScene again;
-    draw_and_refine(&again);
+    draw(&again);
+    refiner.RefineByDrawing(again.drawn.drawing.graph);
     if (refiner.HaveMoved()) scene = std::move(again);
   }
   if (had_moved && !refiner.HaveMoved()) {
-    // As first extracted, which the cache keeps.
-    scene = {ExtractAll(input, options, context, on_stage_end), {}, std::nullopt};
-    scene.drawn = Draw(input, scene.curves, options, context, on_stage_end);
+    scene = {};
+    draw(&scene);
   }
   TakeCameras(refiner, &scene);
   scene.rows = refiner.Rows();
+  if (!scene.cameras) scene.curves = refiner.TakeGivenCurves();
   return scene;
 }
 
@@ -85,7 +88,7 @@ FitToGiven FitGivenCameras(const PipelineInput& given, const CurvesScene& refine
                            const PipelineOptions& options, const RunContext& context,
                            const StageObserver& on_stage_end, DrawingGraph* graph) {
   FitToGiven fit;
-  fit.curves = CurvesThroughLenses(given.views, {1, CurvesAsStored(refined.curves)}, context);
+  fit.curves = CurvesThroughOtherLenses(given.views, refined.curves, context);
   OtherCamerasResult result =
       FitOtherCameras({{refined, *graph}, {given.views, fit.curves}}, options.refinement, context);
   on_stage_end(result.summary);

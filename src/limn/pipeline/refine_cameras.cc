@@ -11,6 +11,7 @@
 #include "limn/model/footprint.h"
 #include "limn/model/shrunk.h"
 #include "limn/pipeline/drawing_stages.h"
+#include "limn/util/return_memory.h"
 
 namespace limn {
 namespace {
@@ -83,7 +84,7 @@ bool IsEnough(double seen_px, const PictureLevel& level, const std::vector<View>
   double curves_px = 0;
   for (size_t v = 0; v < views.size(); ++v) {
     size_t num_edgels = 0;
-    for (const CurveFragment& fragment : level.stored_curves[v].fragments) {
+    for (const CurveFragment& fragment : level.curves[v].fragments) {
       num_edgels += fragment.edgel_ids.size();
     }
     curves_px += ViewPxPerPicturePx(views[v], level.factor) * static_cast<double>(num_edgels);
@@ -100,13 +101,12 @@ double MeanViewPxPerPicturePx(const std::vector<View>& views, int factor) {
 
 }  // namespace
 
-CameraRefiner::CameraRefiner(const CameraRefinementInput& input,
-                             const std::vector<ImageCurves>& curves, const PipelineOptions& options,
-                             const RunContext& context)
+CameraRefiner::CameraRefiner(const CameraRefinementInput& input, std::vector<ImageCurves> curves,
+                             const PipelineOptions& options, const RunContext& context)
     : input_(input),
       options_(options),
       context_(context),
-      stored_{1, CurvesAsStored(curves)},
+      stored_{1, std::move(curves)},
       scene_(MakeCameraScene(input.views, input.hints, input.mounts)),
       held_(HeldViews(input.mounts)),
       first_factor_(FactorOf(input.views, kFirstSidePx)) {}
@@ -115,6 +115,7 @@ void CameraRefiner::RefineBySmallPictures() {
   first_images_.resize(input_.views.size());
   LookAtSmallPictures();
   first_images_.clear();
+  ReturnFreedMemory();
 }
 
 void CameraRefiner::LookAtSmallPictures() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -62,7 +63,7 @@ struct RefinedCameras {
 class CameraRefiner {
  public:
   // `curves` are those of the pictures as stored, seen by the given views.
-  CameraRefiner(const CameraRefinementInput& input, const std::vector<ImageCurves>& curves,
+  CameraRefiner(const CameraRefinementInput& input, std::vector<ImageCurves> curves,
                 const PipelineOptions& options, const RunContext& context);
 
   // Draws small pictures; the pictures as stored are fitted along the drawing of the photographs at
@@ -90,6 +91,10 @@ class CameraRefiner {
   // The curves of the pictures as stored, as other views of the same pictures see them.
   std::vector<ImageCurves> CurvesSeenBy(const std::vector<View>& views) const;
 
+  // Those that it was made with. Taking them ends its work.
+  const std::vector<ImageCurves>& given_curves() const { return stored_.curves; }
+  std::vector<ImageCurves> TakeGivenCurves() { return std::move(stored_.curves); }
+
  private:
   struct FirstLook {
     bool are_off = false;
@@ -114,7 +119,7 @@ class CameraRefiner {
   const CameraRefinementInput input_;
   const PipelineOptions& options_;
   const RunContext& context_;
-  const PictureLevel stored_;
+  PictureLevel stored_;
   CameraScene scene_;
   const std::vector<ViewId> held_;
   const int first_factor_;

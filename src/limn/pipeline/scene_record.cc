@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "limn/cache/curves_key.h"
+#include "limn/cache/packed_numbers.h"
 #include "limn/cache/stage_file.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/json_drawing_writer.h"
@@ -30,19 +31,16 @@ void PutViews(const std::vector<RecordedView>& views, ByteWriter* out) {
   for (const RecordedView& view : views) {
     out->PutString(view.name);
     out->PutString(view.key);
-    out->Put<int32_t>(view.num_edgels);
   }
 }
 
 std::vector<RecordedView> GetViews(ByteReader* in) {
   std::vector<RecordedView> views;
-  const size_t num_views = in->GetCount(2 * sizeof(uint64_t) + sizeof(int32_t));
+  const size_t num_views = in->GetCount(2 * sizeof(uint64_t));
   for (size_t i = 0; i < num_views; ++i) {
     RecordedView& view = views.emplace_back();
     view.name = in->GetString();
     view.key = in->GetString();
-    view.num_edgels = in->Get<int32_t>();
-    in->Check(view.num_edgels >= 0, "a negative number of edgels");
   }
   return views;
 }
@@ -60,7 +58,7 @@ std::string ToBytes(const SceneRecord& record) {
   PutViews(record.drawn_views, &out);
   std::ostringstream drawing;
   WriteDrawingJson(record.graph, NamesIn(record), drawing);
-  out.PutString(drawing.str());
+  PutPackedText(drawing.str(), &out);
   return out.bytes();
 }
 
@@ -78,7 +76,7 @@ SceneRecord FromBytes(const std::string& path, const std::string& bytes) {
              "a sketch without its view");
   }
   record.drawn_views = GetViews(&in);
-  DrawingFile drawing = ParseDrawingJson(path, in.GetString());
+  DrawingFile drawing = ParseDrawingJson(path, GetPackedText(&in));
   in.ExpectEnd();
   in.Check(drawing.metadata.view_names == NamesIn(record).view_names, "a drawing of other views");
   record.graph = std::move(drawing.graph);

@@ -16,7 +16,6 @@ namespace limn {
 struct RecordedView {
   std::string name;
   std::string key;  // ViewKey
-  int num_edgels = 0;
 };
 
 // A sketch in the cache. Its file counts views by their places in `views`: the view itself and

@@ -47,21 +47,18 @@ class SketchStore {
 
   std::optional<ViewSketch> Load(ViewId view, const ViewPlan& plan) const {
     const SketchIdentity identity = IdentityOf(view, plan);
-    CurvesOfViews curves;
-    for (const ViewId id : identity.views) curves.push_back(&input_.scene.curves[id]);
-    auto sketch =
-        cache_.Find<ViewSketch>(CachedKind::kSketch, NameOf(view), [&](const std::string& path) {
-          return ReadViewSketch(path, identity.PlaceOf(view), curves, identity.key);
-        });
-    if (sketch) RenumberViews(identity.views, &sketch->curves);
-    return sketch;
+    return cache_.Find<ViewSketch>(CachedKind::kSketch, NameOf(view), [&](const std::string& path) {
+      return ReadViewSketch(path, view, identity.views, input_.scene.views, input_.scene.curves,
+                            identity.key);
+    });
   }
 
-  void Save(ViewId view, const ViewPlan& plan, ViewSketch sketch) const {
+  void Save(ViewId view, const ViewPlan& plan, const ViewDepths& depths,
+            const std::vector<Curve3D>& curves) const {
     const SketchIdentity identity = IdentityOf(view, plan);
-    RenumberViews(PlacesIn(identity.views, input_.scene.views.size()), &sketch.curves);
-    cache_.Store(CachedKind::kSketch, NameOf(view),
-                 [&](const std::string& path) { WriteViewSketch(path, sketch, identity.key); });
+    cache_.Store(CachedKind::kSketch, NameOf(view), [&](const std::string& path) {
+      WriteViewSketch(path, depths, curves, identity.views, input_.scene.curves, identity.key);
+    });
   }
 
  private:
@@ -129,9 +126,8 @@ SketchResult SketchViews(SketchMode mode, const SketchInput& input, const Sketch
   ViewSketchStore store;
   store.expect = [&](size_t num_views) { cache->Expect(CachedKind::kSketch, num_views); };
   store.load = [&](ViewId v, const ViewPlan& plan) { return kept.Load(v, plan); };
-  store.save = [&](ViewId v, const ViewPlan& plan, const ViewSketch& sketch) {
-    kept.Save(v, plan, sketch);
-  };
+  store.save = [&](ViewId v, const ViewPlan& plan, const ViewDepths& depths,
+                   const std::vector<Curve3D>& curves) { kept.Save(v, plan, depths, curves); };
   return BuildSketch(mode, input, options, context, &store);
 }
 

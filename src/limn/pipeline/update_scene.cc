@@ -36,12 +36,10 @@ constexpr double kLostShare = 0.25;
 constexpr int kMinSupport = 5;
 
 std::vector<RecordedView> RecordOf(const std::vector<View>& views,
-                                   const std::vector<ImageCurves>& curves,
                                    const std::vector<std::string>& keys) {
   std::vector<RecordedView> recorded;
   for (size_t v = 0; v < views.size(); ++v) {
-    const size_t num_edgels = curves[v].edge_map.edgels.size();
-    recorded.push_back({views[v].name, keys[v], static_cast<int>(num_edgels)});
+    recorded.push_back({views[v].name, keys[v]});
   }
   return recorded;
 }
@@ -239,7 +237,7 @@ class SceneUpdater {
         options_(options),
         context_(context),
         on_stage_end_(on_stage_end),
-        recorded_(RecordOf(input.views, curves, ViewKeys(input.views, curves, context))),
+        recorded_(RecordOf(input.views, ViewKeys(input.views, curves, context))),
         matches_(recorded_) {}
 
   std::optional<PipelineResult> Run(std::string* why_not) {
@@ -340,23 +338,15 @@ class SceneUpdater {
   }
 
   ViewSketch ReadSketch(const RecordedSketch& recorded) const {
-    // Stand in for views that are gone.
-    std::vector<ImageCurves> gone(recorded.views.size());
-    CurvesOfViews curves;
-    const std::vector<ViewId> now = matches_.PresentIds(recorded.views);
-    for (size_t i = 0; i < now.size(); ++i) {
-      if (now[i] < 0) gone[i].edge_map.edgels.resize(recorded.views[i].num_edgels);
-      curves.push_back(now[i] < 0 ? &gone[i] : &curves_[now[i]]);
-    }
     auto sketch = input_.cache->Read<ViewSketch>(
         CachedKind::kSketch, recorded.ViewName(), [&](const std::string& path) {
-          return ReadViewSketch(path, recorded.place, curves, recorded.key);
+          return ReadViewSketch(path, ViewOf(recorded), matches_.PresentIds(recorded.views),
+                                input_.views, curves_, recorded.key);
         });
     if (!sketch) {
       throw IoError(input_.cache->dir(), "has not the sketch of \"" + recorded.ViewName() +
                                              "\" that the drawing was made from");
     }
-    RenumberViews(now, &sketch->curves);
     return *std::move(sketch);
   }
 
@@ -491,7 +481,7 @@ std::function<void()> RecordWriter(const PipelineInput& input,
                                    const PipelineOptions& options, const RunContext& context) {
   if (!input.cache->IsOn() || !IsUpdatable(options)) return [] {};
   const std::vector<RecordedView> views =
-      RecordOf(input.views, curves, ViewKeys(input.views, curves, context));
+      RecordOf(input.views, ViewKeys(input.views, curves, context));
   SceneRecord record = {views, SketchesOf(input, curves, plans, views, options), views, graph};
   return [record = std::move(record), key = RecordKey(options, input.box), cache = input.cache] {
     KeepRecord(record, key, cache);

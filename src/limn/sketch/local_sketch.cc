@@ -5,6 +5,7 @@
 #include <bit>
 #include <iterator>
 
+#include "limn/sketch/sketch_of_depths.h"
 #include "limn/sketch/sketch_pieces.h"
 
 namespace limn {
@@ -14,67 +15,6 @@ constexpr double kNarrowSupportDeg = 15;
 constexpr double kWideViewsDeg = 30;
 // Views sketched between two changes of which edgels are held.
 constexpr size_t kBlock = 64;
-
-std::vector<EdgelFate> FatesOutsideFragments(const EdgeMap& edge_map) {
-  std::vector<EdgelFate> fates(edge_map.edgels.size(), EdgelFate::kNotLinked);
-  for (const EdgelId id : edge_map.texture) fates[id] = EdgelFate::kTexture;
-  return fates;
-}
-
-class ViewSketcher {
- public:
-  ViewSketcher(const PrimaryView& primary, DepthFinder depths)
-      : primary_(primary),
-        depths_(std::move(depths)),
-        support_views_(PartnersIn(primary.plan)),
-        fates_(FatesOutsideFragments(Curves().edge_map)) {}
-
-  void Reconstruct(int fragment_id) {
-    const SketchOptions& options = primary_.options;
-    const FragmentRays fragment = MakeFragmentRays(View(), Curves(), fragment_id);
-    if (fragment.size() < 2 || fragment.arc_px.back() < options.min_fragment_length_px) {
-      for (size_t i = 0; i < fragment.size(); ++i)
-        Fate(fragment_id, i) = EdgelFate::kFragmentTooShort;
-      return;
-    }
-    const std::vector<int> vertices = SpacedVertices(fragment, depths_.spacing_px);
-    const DepthProfile profile = depths_.find(Subset(fragment, vertices));
-    for (size_t i = 0; i < vertices.size(); ++i) {
-      const EdgelFate fate =
-          profile.depths[i].has_depth ? EdgelFate::kPieceTooShort : profile.fates[i];
-      const size_t next = i + 1 < vertices.size() ? vertices[i + 1] : fragment.size();
-      for (size_t k = vertices[i]; k < next; ++k) Fate(fragment_id, k) = fate;
-    }
-    std::vector<FusedDepth> depths = ExpandDepths(fragment, vertices, profile.depths);
-    InterpolateGaps(fragment, &depths);
-    for (const VertexRun& run : FindRuns(fragment, depths)) {
-      for (int k = 0; k < run.size; ++k) {
-        Fate(fragment_id, (run.begin + k) % fragment.size()) = EdgelFate::kSketched;
-      }
-      Curve3D curve = MakeCurve(View(), fragment, depths, run);
-      curve.anchor.view = primary_.id;
-      curve.anchor.fragment = fragment_id;
-      CollectSupport(primary_.input.scene.views, primary_.input.scene.curves, primary_.edgels.views,
-                     support_views_, options.Gate(), &curve);
-      curves_.push_back(std::move(curve));
-    }
-  }
-
-  ViewSketch Take() { return {std::move(curves_), std::move(fates_)}; }
-
- private:
-  const limn::View& View() const { return primary_.input.scene.views[primary_.id]; }
-  const ImageCurves& Curves() const { return primary_.input.scene.curves[primary_.id]; }
-  EdgelFate& Fate(int fragment, size_t vertex) {
-    return fates_[Curves().fragments[fragment].edgel_ids[vertex]];
-  }
-
-  const PrimaryView& primary_;
-  DepthFinder depths_;
-  std::vector<ViewId> support_views_;
-  std::vector<Curve3D> curves_;
-  std::vector<EdgelFate> fates_;
-};
 
 std::vector<EdgelFate> FatesOfUnsketched(const ImageCurves& curves) {
   std::vector<EdgelFate> fates = FatesOutsideFragments(curves.edge_map);
@@ -125,16 +65,36 @@ std::vector<std::optional<ViewSketch>> LoadSketches(const std::vector<ViewId>& i
   return found;
 }
 
-// A pure function of what ViewSketchStore lists.
-ViewSketch SketchOneView(const PrimaryView& primary, DepthFinder depths,
-                         const RunContext& context) {
-  ViewSketcher sketcher(primary, std::move(depths));
-  const size_t num_fragments = primary.input.scene.curves[primary.id].fragments.size();
-  for (size_t f = 0; f < num_fragments; ++f) {
+// Of all fragments that are long enough. A pure function of what ViewSketchStore lists.
+ViewDepths FindDepths(const PrimaryView& primary, const DepthFinder& finder,
+                      const RunContext& context) {
+  const ImageCurves& curves = primary.input.scene.curves[primary.id];
+  ViewDepths depths;
+  depths.spacing_px = finder.spacing_px;
+  depths.of_fragment.resize(curves.fragments.size());
+  for (size_t f = 0; f < curves.fragments.size(); ++f) {
     ThrowIfCancelled(context);
-    sketcher.Reconstruct(static_cast<int>(f));
+    const FragmentRays fragment =
+        MakeFragmentRays(primary.input.scene.views[primary.id], curves, static_cast<int>(f));
+    const bool is_long_enough =
+        fragment.size() >= 2 && fragment.arc_px.back() >= primary.options.min_fragment_length_px;
+    if (!is_long_enough) continue;
+    depths.of_fragment[f] =
+        finder.find(Subset(fragment, SpacedVertices(fragment, finder.spacing_px)));
   }
-  return sketcher.Take();
+  return depths;
+}
+
+ViewSketch WithSupport(const PrimaryView& primary, const ViewDepths& depths) {
+  const CurvesScene& scene = primary.input.scene;
+  ViewSketch sketch =
+      SketchOfDepths(primary.id, scene.views[primary.id], scene.curves[primary.id], depths);
+  const std::vector<ViewId> support_views = PartnersIn(primary.plan);
+  for (Curve3D& curve : sketch.curves) {
+    CollectSupport(scene.views, scene.curves, primary.edgels.indices, support_views,
+                   primary.options.Gate(), &curve);
+  }
+  return sketch;
 }
 
 }  // namespace
@@ -190,8 +150,9 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
     ParallelFor(PartOf(context, begin, missing.size()), stage, block.size(), [&](size_t b) {
       const ViewId v = block[b];
       const PrimaryView primary(input, v, plans[v], edgels, options);
-      by_view[v] = SketchOneView(primary, make_finder(primary), context);
-      if (store) store->save(v, plans[v], *by_view[v]);
+      const ViewDepths depths = FindDepths(primary, make_finder(primary), context);
+      by_view[v] = WithSupport(primary, depths);
+      if (store) store->save(v, plans[v], depths, by_view[v]->curves);
     });
   }
   SketchResult result;

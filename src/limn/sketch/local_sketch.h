@@ -5,9 +5,9 @@
 
 #include "limn/model/edgel_fate.h"
 #include "limn/sketch/confirmation.h"
-#include "limn/sketch/depth_modes.h"
 #include "limn/sketch/sketch.h"
 #include "limn/sketch/sketch_edgels.h"
+#include "limn/sketch/view_sketch.h"
 
 namespace limn {
 
@@ -35,12 +35,6 @@ struct PrimaryView {
   const SketchOptions& options;
   ConfirmationViews confirmation;
   Rigid3d world_from_cam;
-};
-
-// Depths of the samples of a fragment, and the reasons where there is none.
-struct DepthProfile {
-  std::vector<FusedDepth> depths;
-  std::vector<EdgelFate> fates;  // kNoPartner, kTooFewViews or kInconsistent where there is none
 };
 
 // Finds the depths of one fragment, given by samples `spacing_px` apart.

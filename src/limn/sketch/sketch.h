@@ -9,10 +9,10 @@
 #include "limn/model/curve3d.h"
 #include "limn/model/curves_scene.h"
 #include "limn/model/edgel_fate.h"
-#include "limn/model/view_sketch.h"
 #include "limn/model/view_subset.h"
 #include "limn/sketch/sketch_options.h"
 #include "limn/sketch/view_selection.h"
+#include "limn/sketch/view_sketch.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
 
@@ -45,7 +45,8 @@ struct ViewSketchStore {
   std::function<void(size_t)> expect;
   // Empty if there is none made from the same input.
   std::function<std::optional<ViewSketch>(ViewId, const ViewPlan&)> load;
-  std::function<void(ViewId, const ViewPlan&, const ViewSketch&)> save;
+  // Of the curves of a sketch, the depths that they were made with, and their support.
+  std::function<void(ViewId, const ViewPlan&, const ViewDepths&, const std::vector<Curve3D>&)> save;
 };
 
 // The swept sketch (ours; algorithm/sketch.md#swept-sketch): as the enhanced one, but every edgel

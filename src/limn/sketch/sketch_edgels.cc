@@ -9,10 +9,10 @@ void HoldViews(const std::vector<ViewId>& ids, const SketchInput& input, const S
   std::vector<ViewId> missing;
   for (ViewId v = 0; v < static_cast<ViewId>(input.scene.views.size()); ++v) {
     if (!std::binary_search(ids.begin(), ids.end(), v)) {
-      edgels->views[v].reset();
+      edgels->indices[v].reset();
       edgels->masks[v].reset();
       edgels->chords[v].reset();
-    } else if (!edgels->views[v]) {
+    } else if (!edgels->indices[v]) {
       missing.push_back(v);
     }
   }
@@ -21,8 +21,9 @@ void HoldViews(const std::vector<ViewId>& ids, const SketchInput& input, const S
   ParallelFor(quietly, "indexing edgels", missing.size(), [&](size_t m) {
     const ViewId v = missing[m];
     const ImageCurves& curves = input.scene.curves[v];
-    edgels->views[v] = std::make_unique<ViewEdgels>(curves);
-    edgels->masks[v] = std::make_unique<OrientationMask>(curves.edge_map, LinkedEdgels(curves),
+    const std::vector<bool> linked = LinkedEdgels(curves);
+    edgels->indices[v] = std::make_unique<EdgelIndex>(curves.edge_map, linked);
+    edgels->masks[v] = std::make_unique<OrientationMask>(curves.edge_map, linked,
                                                          input.scene.views[v].region, gate);
     edgels->chords[v] = std::make_unique<FragmentChords>(curves);
   });

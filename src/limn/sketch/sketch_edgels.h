@@ -5,17 +5,18 @@
 
 #include "limn/sketch/fragment_chords.h"
 #include "limn/sketch/sketch.h"
+#include "limn/support/edgel_index.h"
 #include "limn/support/orientation_mask.h"
-#include "limn/support/view_edgels.h"
 
 namespace limn {
 
 // The edges of the views that a sketch is working on, so that its memory does not grow with the
 // scene. Per view; null for other views.
 struct SketchEdgels {
-  explicit SketchEdgels(size_t num_views) : views(num_views), masks(num_views), chords(num_views) {}
+  explicit SketchEdgels(size_t num_views)
+      : indices(num_views), masks(num_views), chords(num_views) {}
 
-  std::vector<std::unique_ptr<ViewEdgels>> views;
+  std::vector<std::unique_ptr<EdgelIndex>> indices;
   std::vector<std::unique_ptr<OrientationMask>> masks;
   std::vector<std::unique_ptr<FragmentChords>> chords;
 };

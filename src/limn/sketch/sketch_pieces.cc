@@ -231,6 +231,10 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
     inverse_depth.push_back(depths[i].inverse_depth);
     weight.push_back(depths[i].weight + 1e-9);
   }
+  curve.points_in_world.reserve(run.size);
+  curve.tangents_in_world.reserve(run.size);
+  curve.depth_sigma.reserve(run.size);
+  curve.certain.reserve(run.size);
   const double focal = view.camera.MeanFocal();
   for (int k = 0; k < run.size; ++k) {
     const int i = (run.begin + k) % count;
@@ -250,11 +254,12 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
 }
 
 void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                    const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
+                    const std::vector<std::unique_ptr<EdgelIndex>>& edgels,
                     const std::vector<ViewId>& candidate_views, const SupportGate& gate,
                     Curve3D* curve) {
   const CurveFragment& fragment = curves[curve->anchor.view].fragments[curve->anchor.fragment];
   std::vector<EdgelRef> of_sample;
+  curve->support.offsets.reserve(curve->size() + 1);
   for (size_t s = 0; s < curve->size(); ++s) {
     of_sample.clear();
     const EdgelId own = fragment.edgel_ids[(curve->anchor.begin + s) % fragment.edgel_ids.size()];
@@ -262,12 +267,13 @@ void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurve
     for (const ViewId v : candidate_views) {
       const auto sight = See(views[v], curve->points_in_world[s], curve->tangents_in_world[s]);
       if (!sight) continue;
-      const auto match = edgels[v]->edgels.Best(sight->position_px, sight->direction, gate);
+      const auto match = edgels[v]->Best(sight->position_px, sight->direction, gate);
       if (match) of_sample.push_back({v, match->edgel});
     }
     std::sort(of_sample.begin(), of_sample.end());
     curve->support.Append(of_sample);
   }
+  curve->support.edgels.shrink_to_fit();
 }
 
 }  // namespace limn

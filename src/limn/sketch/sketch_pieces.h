@@ -1,10 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "limn/sketch/depth_modes.h"
 #include "limn/sketch/sketch.h"
-#include "limn/support/view_edgels.h"
+#include "limn/support/edgel_index.h"
 
 namespace limn {
 
@@ -48,7 +49,7 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
 // Sets the support of every sample of a curve: its own edgel in the primary view and the best edgel
 // within the gate in each of the given views (ascending, without the primary view).
 void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                    const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
+                    const std::vector<std::unique_ptr<EdgelIndex>>& edgels,
                     const std::vector<ViewId>& candidate_views, const SupportGate& gate,
                     Curve3D* curve);
 

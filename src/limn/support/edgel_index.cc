@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -23,29 +24,38 @@ double VirtualPerStored(const Edgel& edgel) {
 
 }  // namespace
 
-EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable) {
+EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable)
+    : grid_(std::make_shared<const Grid>(edge_map, usable)) {}
+
+EdgelIndex EdgelIndex::Subset(std::vector<bool> wanted) const {
+  EdgelIndex subset = *this;
+  subset.wanted_ = std::move(wanted);
+  return subset;
+}
+
+EdgelIndex::Grid::Grid(const EdgeMap& edge_map, const std::vector<bool>& usable) {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
   for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
     if (!usable[id]) continue;
     low = low.cwiseMin(edge_map.edgels[id].position_px);
     high = high.cwiseMax(edge_map.edgels[id].position_px);
-    max_scale_ = std::max(max_scale_, VirtualPerStored(edge_map.edgels[id]));
+    max_scale = std::max(max_scale, VirtualPerStored(edge_map.edgels[id]));
   }
   if (!(low.x() <= high.x())) {
-    cell_begin_.assign(1, 0);
+    cell_begin.assign(1, 0);
     return;
   }
-  origin_ = low;
-  cols_ = static_cast<int>((high.x() - low.x()) / kCellPx) + 1;
-  rows_ = static_cast<int>((high.y() - low.y()) / kCellPx) + 1;
+  origin = low;
+  cols = static_cast<int>((high.x() - low.x()) / kCellPx) + 1;
+  rows = static_cast<int>((high.y() - low.y()) / kCellPx) + 1;
   MakeTiles(edge_map, usable);
   for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
-    if (usable[id]) ++cell_begin_[CellOf(edge_map.edgels[id]) + 1];
+    if (usable[id]) ++cell_begin[CellOf(edge_map.edgels[id]) + 1];
   }
-  for (size_t i = 1; i < cell_begin_.size(); ++i) cell_begin_[i] += cell_begin_[i - 1];
-  entries_.resize(cell_begin_.back());
-  std::vector<int> next(cell_begin_.begin(), cell_begin_.end() - 1);
+  for (size_t i = 1; i < cell_begin.size(); ++i) cell_begin[i] += cell_begin[i - 1];
+  entries.resize(cell_begin.back());
+  std::vector<int> next(cell_begin.begin(), cell_begin.end() - 1);
   for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
     if (!usable[id]) continue;
     const Edgel& edgel = edge_map.edgels[id];
@@ -53,64 +63,64 @@ EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable)
     const Eigen::Vector2d in_virtual = edgel.Tangent();
     const Eigen::Vector2d tangent = (stored_from_virtual * in_virtual).normalized();
     const Eigen::Vector2d normal(tangent.y(), -tangent.x());
-    entries_[next[CellOf(edgel)]++] = {edgel.position_px,
-                                       (stored_from_virtual.transpose() * normal).cast<float>(),
-                                       (stored_from_virtual.transpose() * tangent).cast<float>(),
-                                       in_virtual.cast<float>(), static_cast<EdgelId>(id)};
+    entries[next[CellOf(edgel)]++] = {edgel.position_px,
+                                      (stored_from_virtual.transpose() * normal).cast<float>(),
+                                      (stored_from_virtual.transpose() * tangent).cast<float>(),
+                                      in_virtual.cast<float>(), static_cast<EdgelId>(id)};
   }
 }
 
-void EdgelIndex::MakeTiles(const EdgeMap& edge_map, const std::vector<bool>& usable) {
-  tile_cols_ = (cols_ + kTileCells - 1) / kTileCells;
-  const int tile_rows = (rows_ + kTileCells - 1) / kTileCells;
-  first_cell_.assign(static_cast<size_t>(tile_cols_) * tile_rows, -1);
+void EdgelIndex::Grid::MakeTiles(const EdgeMap& edge_map, const std::vector<bool>& usable) {
+  tile_cols = (cols + kTileCells - 1) / kTileCells;
+  const int tile_rows = (rows + kTileCells - 1) / kTileCells;
+  first_cell.assign(static_cast<size_t>(tile_cols) * tile_rows, -1);
   for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
-    if (usable[id]) first_cell_[TileOf(CellAt(edge_map.edgels[id].position_px))] = 0;
+    if (usable[id]) first_cell[TileOf(CellAt(edge_map.edgels[id].position_px))] = 0;
   }
   int num_cells = 0;
-  for (int& first : first_cell_) {
+  for (int& first : first_cell) {
     if (first < 0) continue;
     first = num_cells;
     num_cells += kTileCells * kTileCells;
   }
-  cell_begin_.assign(num_cells + 1, 0);
+  cell_begin.assign(num_cells + 1, 0);
 }
 
-Eigen::Vector2i EdgelIndex::CellAt(const Eigen::Vector2d& position_px) const {
-  return ((position_px - origin_) / kCellPx).cast<int>();
+Eigen::Vector2i EdgelIndex::Grid::CellAt(const Eigen::Vector2d& position_px) const {
+  return ((position_px - origin) / kCellPx).cast<int>();
 }
 
-size_t EdgelIndex::TileOf(const Eigen::Vector2i& cell) const {
-  return static_cast<size_t>(cell.y() / kTileCells) * tile_cols_ + cell.x() / kTileCells;
+size_t EdgelIndex::Grid::TileOf(const Eigen::Vector2i& cell) const {
+  return static_cast<size_t>(cell.y() / kTileCells) * tile_cols + cell.x() / kTileCells;
 }
 
-int EdgelIndex::CellOf(const Edgel& edgel) const {
+int EdgelIndex::Grid::CellOf(const Edgel& edgel) const {
   const Eigen::Vector2i cell = CellAt(edgel.position_px);
-  return first_cell_[TileOf(cell)] + cell.y() % kTileCells * kTileCells + cell.x() % kTileCells;
+  return first_cell[TileOf(cell)] + cell.y() % kTileCells * kTileCells + cell.x() % kTileCells;
 }
 
 template <typename Visit>
-void EdgelIndex::VisitCells(const Eigen::Vector2d& position_px, double radius_px,
-                            Visit&& visit) const {
-  const Eigen::Vector2d low = (position_px - origin_).array() - radius_px;
-  const Eigen::Vector2d high = (position_px - origin_).array() + radius_px;
+void EdgelIndex::Grid::VisitCells(const Eigen::Vector2d& position_px, double radius_px,
+                                  Visit&& visit) const {
+  const Eigen::Vector2d low = (position_px - origin).array() - radius_px;
+  const Eigen::Vector2d high = (position_px - origin).array() + radius_px;
   // Also false for what is not a number.
-  if (!(high.x() >= 0 && high.y() >= 0 && low.x() < cols_ * kCellPx && low.y() < rows_ * kCellPx)) {
+  if (!(high.x() >= 0 && high.y() >= 0 && low.x() < cols * kCellPx && low.y() < rows * kCellPx)) {
     return;
   }
   const int col_begin = static_cast<int>(std::max(0.0, low.x()) / kCellPx);
-  const int col_end = static_cast<int>(std::min(high.x() / kCellPx, cols_ - 1.0));
+  const int col_end = static_cast<int>(std::min(high.x() / kCellPx, cols - 1.0));
   const int row_begin = static_cast<int>(std::max(0.0, low.y()) / kCellPx);
-  const int row_end = static_cast<int>(std::min(high.y() / kCellPx, rows_ - 1.0));
+  const int row_end = static_cast<int>(std::min(high.y() / kCellPx, rows - 1.0));
   for (int row = row_begin; row <= row_end; ++row) {
     for (int col = col_begin; col <= col_end;) {
       const int next_col = std::min(col_end + 1, (col / kTileCells + 1) * kTileCells);
-      const int first = first_cell_[TileOf({col, row})];
+      const int first = first_cell[TileOf({col, row})];
       if (first >= 0) {
         // The cells of a row of a tile follow each other.
-        const int* begin = cell_begin_.data() + first + row % kTileCells * kTileCells;
+        const int* begin = cell_begin.data() + first + row % kTileCells * kTileCells;
         const int last = begin[(next_col - 1) % kTileCells + 1];
-        for (int i = begin[col % kTileCells]; i < last; ++i) visit(entries_[i]);
+        for (int i = begin[col % kTileCells]; i < last; ++i) visit(entries[i]);
       }
       col = next_col;
     }
@@ -133,14 +143,15 @@ template <bool kAlong>
 std::optional<EdgelMatch> EdgelIndex::FindBest(const Eigen::Vector2d& position_px,
                                                const Eigen::Vector2d& direction,
                                                const SupportGate& gate) const {
-  const double radius_px = std::hypot(gate.normal_px, gate.along_px) * max_scale_;
+  if (!grid_) return std::nullopt;
+  const double radius_px = std::hypot(gate.normal_px, gate.along_px) * grid_->max_scale;
   // From a right angle on every direction will do.
   const double max_sine = gate.angle_rad < M_PI / 2 ? std::sin(gate.angle_rad) : 2;
   const double per_squared_px = 1 / (gate.normal_px * gate.normal_px);
   const double per_squared_sine = 1 / (max_sine * max_sine);
   EdgelMatch best;
   double best_cost = std::numeric_limits<double>::infinity();
-  VisitCells(position_px, radius_px, [&](const Entry& edgel) {
+  grid_->VisitCells(position_px, radius_px, [&](const Entry& edgel) {
     const Eigen::Vector2d offset = position_px - edgel.position_px;
     const double normal = edgel.across.x() * offset.x() + edgel.across.y() * offset.y();
     const double along = edgel.along.x() * offset.x() + edgel.along.y() * offset.y();
@@ -148,7 +159,7 @@ std::optional<EdgelMatch> EdgelIndex::FindBest(const Eigen::Vector2d& position_p
     // Bitwise: one branch for all three.
     const bool is_in = (std::abs(normal) <= gate.normal_px) & (std::abs(along) <= gate.along_px) &
                        (std::abs(sine) <= max_sine);
-    if (!is_in) return;
+    if (!is_in || !Has(edgel.id)) return;
     if constexpr (kAlong) {
       if (edgel.tangent.x() * direction.x() + edgel.tangent.y() * direction.y() <= 0) return;
     }
@@ -165,8 +176,10 @@ std::optional<EdgelMatch> EdgelIndex::FindBest(const Eigen::Vector2d& position_p
 
 void EdgelIndex::ForEachWithin(const Eigen::Vector2d& position_px, double radius_px,
                                const std::function<void(EdgelId)>& visit) const {
-  VisitCells(position_px, radius_px, [&](const Entry& edgel) {
-    if ((edgel.position_px - position_px).squaredNorm() <= radius_px * radius_px) visit(edgel.id);
+  if (!grid_) return;
+  grid_->VisitCells(position_px, radius_px, [&](const Entry& edgel) {
+    const bool is_near = (edgel.position_px - position_px).squaredNorm() <= radius_px * radius_px;
+    if (is_near && Has(edgel.id)) visit(edgel.id);
   });
 }
 

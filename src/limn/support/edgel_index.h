@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,9 @@ class EdgelIndex {
   // Indexes the edgels with usable[id].
   EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable);
 
+  // Those of its edgels with wanted[id]. Shares its memory: a bit per edgel.
+  EdgelIndex Subset(std::vector<bool> wanted) const;
+
   // Returns the edgel within the gate, for a unit direction of any sign, with the smallest
   //   (across^2 + along^2 / 4) / normal_px^2 + (sin angle / sin angle_rad)^2,
   // where across and along are the parts of the offset in stored pixels; the smallest id on ties.
@@ -65,26 +69,36 @@ class EdgelIndex {
     EdgelId id;
   };
 
-  void MakeTiles(const EdgeMap& edge_map, const std::vector<bool>& usable);
-  Eigen::Vector2i CellAt(const Eigen::Vector2d& position_px) const;  // column, row
-  size_t TileOf(const Eigen::Vector2i& cell) const;
-  // Index in cell_begin_ of the cell of an edgel whose tile exists.
-  int CellOf(const Edgel& edgel) const;
+  // The edgels by place.
+  struct Grid {
+    Grid(const EdgeMap& edge_map, const std::vector<bool>& usable);
+
+    void MakeTiles(const EdgeMap& edge_map, const std::vector<bool>& usable);
+    Eigen::Vector2i CellAt(const Eigen::Vector2d& position_px) const;  // column, row
+    size_t TileOf(const Eigen::Vector2i& cell) const;
+    // Index in cell_begin of the cell of an edgel whose tile exists.
+    int CellOf(const Edgel& edgel) const;
+    template <typename Visit>
+    void VisitCells(const Eigen::Vector2d& position_px, double radius_px, Visit&& visit) const;
+
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+    int cols = 0;
+    int rows = 0;
+    int tile_cols = 0;
+    std::vector<int> first_cell;  // per tile, row-major: its place in cell_begin, -1 = no edgels
+    std::vector<int> cell_begin;  // tile by tile, cells of a tile row-major; one more than cells
+    std::vector<Entry> entries;   // by cell, ascending ids within a cell
+    double max_scale = 1;
+  };
+
+  bool Has(EdgelId id) const { return wanted_.empty() || wanted_[id]; }
   template <bool kAlong>
   std::optional<EdgelMatch> FindBest(const Eigen::Vector2d& position_px,
                                      const Eigen::Vector2d& direction,
                                      const SupportGate& gate) const;
-  template <typename Visit>
-  void VisitCells(const Eigen::Vector2d& position_px, double radius_px, Visit&& visit) const;
 
-  Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
-  int cols_ = 0;
-  int rows_ = 0;
-  int tile_cols_ = 0;
-  std::vector<int> first_cell_;  // per tile, row-major: its place in cell_begin_, -1 = no edgels
-  std::vector<int> cell_begin_;  // tile by tile, cells of a tile row-major; one more than cells
-  std::vector<Entry> entries_;   // by cell, ascending ids within a cell
-  double max_scale_ = 1;
+  std::shared_ptr<const Grid> grid_;  // null: no edgels
+  std::vector<bool> wanted_;          // per edgel; empty: all
 };
 
 // Per edgel, whether it belongs to a fragment. An isolated edgel may be noise.

@@ -1,6 +1,7 @@
 #include "limn/topology/edgel_claims.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace limn {
 
@@ -37,7 +38,7 @@ std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const Drawin
         if (IsClaimed(fragment, i, claims[v])) unclaimed[fragment.edgel_ids[i]] = false;
       }
     }
-    result[v] = EdgelIndex(input.curves[v].edge_map, unclaimed);
+    result[v] = input.edgels[v]->edgels.Subset(std::move(unclaimed));
   });
   return result;
 }

@@ -63,11 +63,11 @@ void CheckInvariants(const LinkingResult& result) {
     }
   }
   EXPECT_EQ(stats.edgels_in_fragments, static_cast<int64_t>(used.size()));
-  EXPECT_TRUE(std::is_sorted(result.curves.link_graph.begin(), result.curves.link_graph.end(),
+  EXPECT_TRUE(std::is_sorted(result.link_graph.begin(), result.link_graph.end(),
                              [](const EdgelLink& a, const EdgelLink& b) {
                                return std::pair(a.a, a.b) < std::pair(b.a, b.b);
                              }));
-  for (const EdgelLink& link : result.curves.link_graph) {
+  for (const EdgelLink& link : result.link_graph) {
     EXPECT_LT(link.a, link.b);
     EXPECT_GT(link.votes, 0);
   }
@@ -246,8 +246,8 @@ TEST(LinkEdgels, TextureIsNotLinked) {
   std::vector<EdgelId> ids = alone.curves.fragments[0].edgel_ids;
   for (EdgelId& id : ids) id += num_of_line;
   EXPECT_EQ(result.curves.fragments[0].edgel_ids, ids);
-  ASSERT_EQ(result.curves.link_graph.size(), alone.curves.link_graph.size());
-  EXPECT_EQ(result.curves.link_graph[3].a, alone.curves.link_graph[3].a + num_of_line);
+  ASSERT_EQ(result.link_graph.size(), alone.link_graph.size());
+  EXPECT_EQ(result.link_graph[3].a, alone.link_graph[3].a + num_of_line);
 }
 
 TEST(LinkEdgels, OpposedPolarityIsNotLinked) {

@@ -294,7 +294,6 @@ ImageCurves OneFragment(int size, bool closed) {
   curves.fragments.resize(1);
   curves.fragments[0].closed = closed;
   for (int i = 0; i < size; ++i) curves.fragments[0].edgel_ids.push_back(i);
-  for (int i = 0; i + 1 < size; ++i) curves.link_graph.push_back({i, i + 1, 1});
   return curves;
 }
 
@@ -303,7 +302,6 @@ TEST(RemoveUnusableEdgels, KeepsWhatIsUsable) {
   RemoveUnusableEdgels({true, true, true, true}, &curves);
   ASSERT_EQ(curves.fragments.size(), 1u);
   EXPECT_TRUE(curves.fragments[0].closed);
-  EXPECT_EQ(curves.link_graph.size(), 3u);
 }
 
 // 0 1 x 3 x 5 6: the lone 3 is no fragment.
@@ -313,7 +311,6 @@ TEST(RemoveUnusableEdgels, CutsAnOpenFragment) {
   ASSERT_EQ(curves.fragments.size(), 2u);
   EXPECT_EQ(curves.fragments[0].edgel_ids, (std::vector<EdgelId>{0, 1}));
   EXPECT_EQ(curves.fragments[1].edgel_ids, (std::vector<EdgelId>{5, 6}));
-  EXPECT_EQ(curves.link_graph.size(), 2u);
 }
 
 // A ring 0 1 x 3 4 (back to 0) opens at the gap.
@@ -329,7 +326,6 @@ TEST(RemoveUnusableEdgels, NothingUsableLeavesNothing) {
   ImageCurves curves = OneFragment(3, true);
   RemoveUnusableEdgels({false, false, false}, &curves);
   EXPECT_TRUE(curves.fragments.empty());
-  EXPECT_TRUE(curves.link_graph.empty());
 }
 
 }  // namespace

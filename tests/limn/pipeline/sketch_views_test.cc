@@ -8,7 +8,7 @@
 
 #include "limn/cache/curve_sketch_file.h"
 #include "limn/cache/curves_key.h"
-#include "limn/cache/view_sketch_file.h"
+#include "limn/cache/stage_file.h"
 #include "limn/formats/temporary_folder.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
@@ -149,21 +149,11 @@ TEST_F(SketchViewsTest, DamagedOnesAreMadeAgain) {
 // A shared folder may hold anything, with the right checksum and identity.
 TEST_F(SketchViewsTest, ForeignIdsAreMadeAgain) {
   const std::string whole = Bytes(Sketch(Cache()).sketch);
-  const auto plans = SelectViews(views_, hints_, options_.view_selection, {});
-  const std::vector<std::string> keys = ViewKeys(views_, curves_, {});
-  const auto spoil = [&](int view, const auto& change) {
-    const SketchIdentity identity = IdentityOfSketch(
-        SketchMode::kSweep, {{views_, curves_, hints_, box_}}, options_, view, plans[view], keys);
-    CurvesOfViews curves;
-    for (const ViewId id : identity.views) curves.push_back(&curves_[id]);
-    ViewSketch sketch = *ReadViewSketch(Kept(view), identity.PlaceOf(view), curves, identity.key);
-    change(&sketch);
-    WriteViewSketch(Kept(view), sketch, IdentityOf(Kept(view)));
-  };
-  spoil(0, [](ViewSketch* sketch) { sketch->curves[0].anchor.fragment = 1 << 30; });
-  spoil(1, [](ViewSketch* sketch) { sketch->curves[0].anchor.begin = 1 << 30; });
-  spoil(2, [](ViewSketch* sketch) { sketch->curves[0].support.edgels.back().edgel = 1 << 30; });
-  spoil(3, [](ViewSketch* sketch) { sketch->fates.resize(1); });
+  const std::vector<std::string> payloads = {"", "no depths", std::string(100, '\0'),
+                                             *ReadStageFile(Kept(4), StageKind::kViewSketch, "")};
+  for (int view = 0; view < 4; ++view) {
+    WriteStageFile(Kept(view), StageKind::kViewSketch, IdentityOf(Kept(view)), payloads[view]);
+  }
   EXPECT_TRUE(Bytes(Sketch(Cache()).sketch) == whole);
   EXPECT_EQ(use_.damaged, 4);
   EXPECT_EQ(use_.reused, 6);
