@@ -95,7 +95,8 @@ KindConfusion KindsOf(const DrawingGraph& drawing, const Truths& truths,
 // At the middle one of the taus. Nothing if the drawing tells no confidences.
 std::optional<Reliability> ReliabilityOf(const DrawingGraph& whole_drawing, const Truth& truth,
                                          const EvaluatorOptions& options,
-                                         const std::vector<View>& views) {
+                                         const std::vector<View>& views,
+                                         const RunContext& context) {
   const EvaluationOptions& of_curves = options.truth.evaluation;
   ReliabilityOptions of_confidences;
   of_confidences.tau = of_curves.taus[of_curves.taus.size() / 2];
@@ -166,7 +167,7 @@ EvaluationReport JudgeCurves(const Judged& judged, const Truths& truths,
     AddRods(judged, *truths.rods, input.evaluation, ViewsOfUnit(views, options), context, &report);
   }
   if (judged.whole_drawing) {
-    report.reliability = ReliabilityOf(*judged.whole_drawing, truth, options, views);
+    report.reliability = ReliabilityOf(*judged.whole_drawing, truth, options, views, context);
   }
   if (!options.true_kinds_path.empty()) {
     report.kinds = KindsOf(*judged.drawing, truths, options, views);

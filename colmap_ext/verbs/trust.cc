@@ -96,7 +96,8 @@ void AddCertainty(const ViewSet& set, const std::vector<View>& views, const Draw
     // A rod stands for its outlines, which are sure.
     if (link.tentative && link.doubt != LinkDoubt::kRodOutline) tentative += of_link;
     if (link.doubt == LinkDoubt::kDepth) unmeasured += of_link;
-    if (link.confidence >= 0) {
+    // Outlines are another curve for every view, and a rod's are judged with it.
+    if (link.confidence >= 0 && link.IsAlongEdgels() && link.doubt != LinkDoubt::kRodOutline) {
       judged += of_link;
       right += of_link * link.confidence;
     }
@@ -172,7 +173,9 @@ void SayVerdict(const Trust& trust, bool has_box, Console* console) {
   if (trust.right)
     line += ", " + Percent(*trust.right) + " of the length found is expected to be right";
   console->Say(line);
-  if (verdict == Verdict::kNonsense && !HasNoDepth(trust)) WarnOfNonsense(trust, has_box, console);
+  if (verdict != Verdict::kNonsense) return;
+  if (ExplainsNothing(trust, has_box) || !HasNoDepth(trust))
+    WarnOfNonsense(trust, has_box, console);
 }
 
 }  // namespace

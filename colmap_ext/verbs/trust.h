@@ -16,13 +16,14 @@ namespace limn::colmap_ext {
 // Images that see a well-seen curve.
 constexpr size_t kManyImages = 5;
 
-// How far a drawing can be trusted. Tentative links and contours count only in `tentative`.
 // What the numbers of a drawing say of it as a whole.
 enum class Verdict : uint8_t { kGood, kDoubtful, kNonsense };
 
 // "good", "doubtful", "nonsense".
 const char* VerdictName(Verdict verdict);
 
+// How far a drawing can be trusted. Tentative links count only in `right`, `tentative` and
+// `unmeasured`; contours in none of them.
 struct Trust {
   size_t num_images = 0;
   // Share of the edges of an image that the drawing explains, median over images. Nothing if the
@@ -37,8 +38,8 @@ struct Trust {
   // cameras are right.
   std::optional<double> error_px, error_90_px;
   bool has_share_of_cameras = false;
-  // Share of the length found, tentative or not, that is expected to be right: the mean confidence.
-  // Nothing if no link has one.
+  // Share of the length found, tentative or not, that is expected to be right: the mean confidence,
+  // without outlines of smooth bodies and of rods. Nothing if no link has one.
   std::optional<double> right;
   // Share of the drawn length that is tentative. Wrong cameras raise it, and so do short baselines.
   std::optional<double> tentative;
@@ -51,8 +52,8 @@ struct Trust {
 Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
                    const std::vector<ImageCurves>& curves, const DrawingGraph& graph);
 
-// By what is expected to be right, what is explained and what was measured; doubtful if nothing was
-// drawn or judged.
+// By what is expected to be right, what is explained and what was measured; doubtful if none of
+// this is known.
 Verdict VerdictOf(const Trust& trust, bool has_box);
 
 // Reports it. Warns if the drawing explains hardly anything, if images agree with it much less than

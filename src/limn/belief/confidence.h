@@ -1,23 +1,33 @@
 #pragma once
 
+#include <vector>
+
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+
 namespace limn {
 
-// What is known of a link when it has been judged (algorithm/belief.md#confidence).
+// Of links with this evidence, hardly one is false where the cameras are right. Their share in the
+// length of a drawing tells whether they are.
+constexpr double kSureEvidence = 11;
+
+// What is known of a judged link.
 struct LinkFacts {
-  // Of the images and of its sigma, natural logarithm.
   double evidence = 0;
-  double showing_views = 0;
-  // Ends that meet nothing.
-  int num_free = 0;
+  size_t num_views = 0;  // that support it
+  int num_free = 0;      // ends that meet nothing
+  double tri_angle_deg = -1;
 };
 
-// Of links with this evidence, hardly one is false where the cameras are right. The share of them
-// in the length of a drawing tells whether they are.
-constexpr double kSureLinkEvidence = 11;
-
 // Probability that a link is right: that the curve it draws exists within 2 px of it. `sure_share`
-// is that of the length of all links of the drawing with evidence of kSureLinkEvidence: 0 where the
-// cameras are those of other images. Ours: a logistic regression on scenes with truth.
+// is that of links with kSureEvidence in the length of all links that were judged; it is 0 where
+// cameras belong to other images. Ours (algorithm/belief.md#confidence): a logistic regression on
+// scenes with truth, and in proportion to the angle where views hardly measure depth.
 double ConfidenceOf(const LinkFacts& facts, double sure_share);
+
+// Sets the confidence of all links that have evidence but contours, which are another curve for
+// every view, and that of rods, which is the one of being a rod; others get none. Needs angles
+// (MeasureTriAngles). Linear time.
+void TellConfidences(const std::vector<View>& views, DrawingGraph* graph);
 
 }  // namespace limn

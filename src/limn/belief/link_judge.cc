@@ -36,8 +36,6 @@ constexpr double kMinViews = 3;
 // ones than the second are not trusted, px.
 constexpr double kUsualSigmaPx = 0.65;
 constexpr double kMinSigmaPx = 0.05;
-// A link with this evidence contradicts others.
-constexpr double kSureEvidence = 10;
 
 // Of the median sigma.
 double EvidenceOfSigma(const DrawingLink& link, double footprint) {
@@ -60,6 +58,10 @@ class Judge {
     const ViewFinder finder(input.scene.views);
     ParallelFor(context, "evidence for links", links_.size(),
                 [&](size_t l) { links_[l] = FindEvidence(images, finder, graph_.links[l]); });
+    for (size_t l = 0; l < links_.size(); ++l) {
+      evidence_.push_back(links_[l].evidence +
+                          EvidenceOfSigma(graph_.links[l], links_[l].footprint));
+    }
     FindClaims(images, context, &links_);
     views_through_ = CountViewsThrough(images, links_, kSureEvidence, context);
   }
@@ -67,14 +69,12 @@ class Judge {
   LinkDoubt DoubtOf(size_t l) const {
     const ImageEvidence& evidence = links_[l];
     const DrawingLink& link = graph_.links[l];
-    // An outline is another curve for every view.
-    if (link.kind == LinkKind::kContour) return LinkDoubt::kNone;
-    const int num_free = NumFree(l);
+    const int num_free = IsFree(l, link.node0) + IsFree(l, link.node1);
     if (!fitted_.empty() && !fitted_[l] && !IsInferred(link, evidence, num_free)) {
       return LinkDoubt::kFewViews;
     }
     const double needed = options_.min_evidence - kJoinedEndEvidence * (2 - num_free);
-    if (EvidenceOf(l) < needed) {
+    if (evidence_[l] < needed) {
       return LinkDoubt::kChance;
     }
     if (IsContradicted(l)) return LinkDoubt::kSeenThrough;
@@ -86,9 +86,8 @@ class Judge {
 
   LinkFacts FactsOf(size_t l) const { return {EvidenceOf(l), links_[l].showing_views, NumFree(l)}; }
 
-  double EvidenceOf(size_t l) const {
-    return links_[l].evidence + EvidenceOfSigma(graph_.links[l], links_[l].footprint);
-  }
+  // Of the images and of the sigma, per link.
+  const std::vector<double>& evidence() const { return evidence_; }
 
   double LengthPx(size_t l) const {
     const double footprint = links_[l].footprint;
@@ -102,16 +101,12 @@ class Judge {
            views_through_[l] >= kMinContradictingShare * links_[l].showing_views;
   }
 
-  int NumFree(size_t l) const {
-    return IsFree(l, graph_.links[l].node0) + IsFree(l, graph_.links[l].node1);
-  }
-
   // Whether the link meets nothing at the node. What has grown from its end, without samples of the
   // sketch, does not count unless it would be believed by itself.
   bool IsFree(size_t l, NodeId node) const {
     return std::ranges::all_of(graph_.nodes[node].incident, [&](const LinkEnd& end) {
       return end.link == static_cast<LinkId>(l) || (graph_.links[end.link].members.empty() &&
-                                                    EvidenceOf(end.link) < options_.min_evidence);
+                                                    evidence_[end.link] < options_.min_evidence);
     });
   }
 
@@ -129,18 +124,9 @@ class Judge {
   const BeliefOptions& options_;
   const TopologyOptions& topology_;
   std::vector<ImageEvidence> links_;
+  std::vector<double> evidence_;
   std::vector<int> views_through_;
 };
-
-double SureShare(const std::vector<double>& length_px, const std::vector<double>& evidence) {
-  double whole = 0;
-  double sure = 0;
-  for (size_t l = 0; l < length_px.size(); ++l) {
-    whole += length_px[l];
-    if (evidence[l] >= kSureLinkEvidence) sure += length_px[l];
-  }
-  return whole > 0 ? sure / whole : 0;
-}
 
 // Number and length of the links per doubt.
 struct Tally {
@@ -177,24 +163,23 @@ BeliefResult JudgeLinks(const BeliefInput& input, const BeliefOptions& options,
   BeliefResult result;
   result.graph = input.graph;
   result.summary.stage = "belief";
+  for (DrawingLink& link : result.graph.links) link.evidence.reset();
   if (!options.judge) return result;
   const Judge judge(input, options, topology, context);
   std::vector<double> length_px;
-  std::vector<double> evidence;
   for (size_t l = 0; l < result.graph.links.size(); ++l) {
     result.graph.links[l].doubt = judge.DoubtOf(l);
+    result.graph.links[l].evidence = judge.evidence()[l];
     length_px.push_back(judge.LengthPx(l));
-    evidence.push_back(judge.EvidenceOf(l));
   }
   const std::vector<double> angle_deg = TriAnglesDeg(input.graph, input.scene.views, context);
-  DoubtUnmeasuredDepth(angle_deg, options.min_tri_angle_deg, &result.graph);
-  DoubtLoosePieces(length_px, evidence, &result.graph);
-  const double sure_share = SureShare(length_px, evidence);
+  DoubtUnmeasuredDepth(angle_deg, LeastAngleDeg(angle_deg, options.min_tri_angle_deg),
+                       &result.graph);
+  DoubtLoosePieces(length_px, judge.evidence(), &result.graph);
   Tally tally;
   for (size_t l = 0; l < result.graph.links.size(); ++l) {
     DrawingLink& link = result.graph.links[l];
     link.tentative = link.doubt != LinkDoubt::kNone;
-    link.confidence = ConfidenceOf(judge.FactsOf(l), sure_share);
     ++tally.links[static_cast<int>(link.doubt)];
     tally.px[static_cast<int>(link.doubt)] += length_px[l];
   }

@@ -6,7 +6,7 @@
 namespace limn {
 namespace {
 
-// Of a loose piece, px. A link with kSureLinkEvidence holds it.
+// Of a loose piece, px. A link with kSureEvidence holds it.
 constexpr double kLoosePx = 60;
 
 struct Piece {
@@ -18,23 +18,20 @@ struct Piece {
 
 void DoubtLoosePieces(const std::vector<double>& length_px, const std::vector<double>& evidence,
                       DrawingGraph* graph) {
-  const auto is_part = [&](const DrawingLink& link) {
-    return link.doubt == LinkDoubt::kNone && link.kind != LinkKind::kContour;
-  };
   UnionFind nodes(static_cast<int>(graph->nodes.size()));
   for (const DrawingLink& link : graph->links) {
-    if (is_part(link)) nodes.Union(link.node0, link.node1);
+    if (link.doubt == LinkDoubt::kNone) nodes.Union(link.node0, link.node1);
   }
   std::vector<Piece> pieces(graph->nodes.size());
   for (size_t l = 0; l < graph->links.size(); ++l) {
     const DrawingLink& link = graph->links[l];
-    if (!is_part(link)) continue;
+    if (link.doubt != LinkDoubt::kNone) continue;
     Piece& piece = pieces[nodes.Find(link.node0)];
     piece.length_px += length_px[l];
-    piece.is_held |= link.closed || evidence[l] >= kSureLinkEvidence;
+    piece.is_held |= link.closed || evidence[l] >= kSureEvidence;
   }
   for (DrawingLink& link : graph->links) {
-    if (!is_part(link)) continue;
+    if (link.doubt != LinkDoubt::kNone) continue;
     const Piece& piece = pieces[nodes.Find(link.node0)];
     if (!piece.is_held && piece.length_px < kLoosePx) link.doubt = LinkDoubt::kChance;
   }

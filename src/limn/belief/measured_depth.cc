@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <set>
+#include <utility>
 
+#include "limn/util/median.h"
 #include "limn/util/union_find.h"
 
 namespace limn {
@@ -17,7 +19,7 @@ std::vector<Depth> DepthsOf(const DrawingGraph& graph, const std::vector<double>
   std::vector<Depth> depths;
   for (size_t l = 0; l < graph.links.size(); ++l) {
     const DrawingLink& link = graph.links[l];
-    if (link.doubt != LinkDoubt::kNone || link.kind == LinkKind::kContour) {
+    if (link.doubt != LinkDoubt::kNone) {
       depths.push_back(Depth::kNoPart);
     } else if (angle_deg[l] < 0) {
       depths.push_back(Depth::kUnknown);
@@ -51,6 +53,13 @@ UnionFind FindRuns(const DrawingGraph& graph, const std::vector<Depth>& depths) 
 }
 
 }  // namespace
+
+double LeastAngleDeg(const std::vector<double>& angle_deg, double min_angle_deg) {
+  std::vector<double> known = angle_deg;
+  std::erase_if(known, [](double angle) { return angle < 0; });
+  const bool hardly_moved = !known.empty() && Median(std::move(known)) < kWideAngleDeg;
+  return hardly_moved ? std::max(min_angle_deg, kWideAngleDeg) : min_angle_deg;
+}
 
 void DoubtUnmeasuredDepth(const std::vector<double>& angle_deg, double min_angle_deg,
                           DrawingGraph* graph) {

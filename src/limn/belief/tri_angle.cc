@@ -16,16 +16,28 @@ constexpr int kMaxPoints = 9;
 // A view that looks along the curve within this angle does not tell its plane.
 constexpr double kMinAngleToCurve = 3 * kDeg;
 
+// What a view sees of a point of a curve; unit vectors.
+struct SightLine {
+  Eigen::Vector3d ray;
+  Eigen::Vector3d normal;  // of the plane through the view and the tangent
+};
+
+// Planes of a curve that points at the cameras turn by more than the rays do, and tell no more.
+double CosineBetween(const SightLine& a, const SightLine& b) {
+  return std::max(std::abs(a.normal.dot(b.normal)), std::abs(a.ray.dot(b.ray)));
+}
+
 double SpreadAt(const Eigen::Vector3d& point, const Eigen::Vector3d& tangent,
                 const std::vector<Eigen::Vector3d>& centers) {
-  std::vector<Eigen::Vector3d> normals;
+  std::vector<SightLine> sights;
   double least_cosine = 1;
   for (const Eigen::Vector3d& center : centers) {
-    const Eigen::Vector3d normal = (point - center).normalized().cross(tangent);
+    const Eigen::Vector3d ray = (point - center).normalized();
+    const Eigen::Vector3d normal = ray.cross(tangent);
     if (!(normal.norm() > std::sin(kMinAngleToCurve))) continue;
-    normals.push_back(normal.normalized());
-    for (const Eigen::Vector3d& other : normals) {
-      least_cosine = std::min(least_cosine, std::abs(other.dot(normals.back())));
+    sights.push_back({ray, normal.normalized()});
+    for (const SightLine& other : sights) {
+      least_cosine = std::min(least_cosine, CosineBetween(other, sights.back()));
     }
   }
   return std::acos(least_cosine);

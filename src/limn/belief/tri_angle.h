@@ -9,11 +9,11 @@
 namespace limn {
 
 // The angle by which the supporting views measure the depth of a link, deg: the largest one, up to
-// 90, between the planes of two of them. The plane of a view holds its center and the curve's
-// tangent, so that motion of the camera along an edge adds nothing; two views on opposite sides
-// have the same plane. Median over up to 9 points. -1, unknown, with fewer than two views: such
-// links are held by their nodes (algorithm/belief.md#depth). Time: 9 times the square of the number
-// of supporting views.
+// 90, between two of them: the smaller one of the angle between their rays and of that between
+// their planes. The plane of a view holds its center and the curve's tangent, so that motion of the
+// camera along an edge adds nothing; two views on opposite sides have the same plane. Median over
+// up to 9 points. -1, unknown, with fewer than two views: such links are held by their nodes
+// (algorithm/belief.md#depth). Time: 9 times the square of the number of supporting views.
 double TriAngleDeg(const DrawingLink& link, const std::vector<View>& views);
 
 // Of all links.

@@ -10,6 +10,7 @@
 #include "limn/model/curve_set.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
+#include "limn/util/parallel.h"
 
 namespace limn {
 
@@ -43,12 +44,13 @@ struct Reliability {
   double CalibrationError() const;
 };
 
-// Of all links that have a confidence, tentative or not, but outlines and center lines (Naeini,
-// Cooper and Hauskrecht, "Obtaining well calibrated probabilities using Bayesian binning", 2015).
-// Throws OptionError. Time: O(n log n) in the length over tau.
+// Of all links that have a confidence, tentative or not, but outlines, of rods too, and center
+// lines (Naeini, Cooper and Hauskrecht, "Obtaining well calibrated probabilities using Bayesian
+// binning", 2015). Throws OptionError and Cancelled. Time: length over tau, times the number of
+// views and the logarithm of the length of the truth.
 Reliability CompareConfidences(const DrawingGraph& drawing, const CurveSet& truth,
                                const CurveSet& dont_care, const std::vector<View>& views,
-                               const ReliabilityOptions& options);
+                               const ReliabilityOptions& options, const RunContext& context);
 
 // The table as text: of every bin with length, its share of it, what was told and what is right.
 void PrintReliability(const Reliability& reliability, std::ostream& out);

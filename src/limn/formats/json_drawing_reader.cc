@@ -191,6 +191,7 @@ DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_i
   link.residual_px = json.at("residual_px").get<double>();
   link.tri_angle_deg = json.value("tri_angle_deg", -1.0);
   link.curve_px = json.value("curve_px", 0.0);
+  if (json.contains("evidence")) link.evidence = json.at("evidence").get<double>();
   link.confidence = json.value("confidence", -1.0);
   link.kind = ToKind(json.value("kind", "unknown"));
   link.kind_confidence = json.value("kind_confidence", 0.0);

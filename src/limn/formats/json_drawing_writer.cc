@@ -125,6 +125,7 @@ Json ToJson(const DrawingLink& link, size_t id, LinkId curve,
                {"residual_px", link.residual_px}};
   if (link.tri_angle_deg >= 0) json["tri_angle_deg"] = link.tri_angle_deg;
   if (link.curve_px > 0) json["curve_px"] = link.curve_px;
+  if (link.evidence) json["evidence"] = *link.evidence;
   if (link.confidence >= 0) json["confidence"] = link.confidence;
   json["kind"] = LinkKindName(link.kind);
   if (link.kind != LinkKind::kUnknown) json["kind_confidence"] = link.kind_confidence;

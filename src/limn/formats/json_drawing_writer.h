@@ -23,7 +23,8 @@ namespace limn {
 //               ...]}],
 //    "links": [{"id", "curve" (CurvesOf), "node0", "node1", "closed", "length", "residual_px",
 //               "tri_angle_deg" where known (TriAngleDeg), "curve_px" where known (MeasureCurves),
-//               "confidence" where known, the probability that its curve exists (ConfidenceOf),
+//               "evidence" against chance, natural logarithm, and "confidence", the probability
+//               that its curve exists (TellConfidences), where known,
 //               "kind": "edge"|"paint"|"shadow"|"contour"|"rod"|"texture"|"unknown",
 //               "kind_confidence" where known, of a rod "rod_radius", half its thickness,
 //               "tentative": true where it is, then "doubt": "few views"|"chance"|"seen

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "limn/kinds/cast_shadows.h"
+#include "limn/util/logistic.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -41,8 +42,6 @@ constexpr double kPaintPerChroma = 5.4;
 constexpr double kPaintPerLogSpread = -1.1;
 constexpr double kPaintOffset = -6.0;
 constexpr double kMinSpread = 0.02;
-
-double Logistic(double x) { return 1 / (1 + std::exp(-x)); }
 
 // Of a link whose sides have one hue: nothing if it is sharp and no shadow.
 std::optional<KindOfLink> ClassifyByLight(const KindEvidence& evidence, const SceneLight& light) {

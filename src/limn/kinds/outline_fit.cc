@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -33,6 +34,8 @@ constexpr double kProbeArmPx = 4;
 constexpr double kMaxAroundRad = 50 * kDeg;
 constexpr double kMinAcross = 0.3;
 constexpr int kMinSupporting = 2;
+// Of more, every second, third ... one is used.
+constexpr size_t kMaxOutlineViews = 40;
 constexpr double kOutlineRobustPx = 0.5;
 // Standard deviations of the axis and the radius about where a step begins, px: they decide only
 // what edgels leave open.
@@ -149,6 +152,19 @@ class OutlineFitter {
       if (probe.tangent.isZero()) continue;
       probe.across = TangentFrame(probe.tangent);
       if (FindViews(near, &probe)) probes_.push_back(std::move(probe));
+    }
+    LimitViews();
+  }
+
+  void LimitViews() {
+    std::set<ViewId> views;
+    for (const OutlineProbe& probe : probes_) views.insert(probe.views.begin(), probe.views.end());
+    const size_t stride = (views.size() + kMaxOutlineViews - 1) / kMaxOutlineViews;
+    if (stride <= 1) return;
+    size_t index = 0;
+    std::erase_if(views, [&](ViewId) { return index++ % stride != 0; });
+    for (OutlineProbe& probe : probes_) {
+      std::erase_if(probe.views, [&](ViewId v) { return !views.contains(v); });
     }
   }
 
@@ -291,7 +307,7 @@ class OutlineFitter {
     evidence->log_ratio = 0;
     for (const auto& [v, misfit] : misfits) {
       const double variance = kAlikePx * kAlikePx;
-      const double of_edge = edge.misfits.contains(v) ? edge.misfits.at(v).Mean() : kMaxMisfitPx;
+      const double of_edge = edge.misfits.at(v).Mean();
       evidence->log_ratio += std::log((of_edge + variance) / (misfit.Mean() + variance)) / 2;
       if (ShiftPx(v, edge.fit, body) < kMinMovedPx) continue;
       ++evidence->num_moved;

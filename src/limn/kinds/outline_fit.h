@@ -36,7 +36,8 @@ struct OutlineEvidence {
 // Fits an edge and bodies of several radii on both sides of a link to the edgels of views within 50
 // degrees of those that support it, with the same brighter side (ours;
 // algorithm/kinds.md#smooth-bodies). Bodies are not tried, and the ratio is 0, where the edge
-// explains what all views but one show. Time: at most 13 fits of 5 steps, 16 places times views.
+// explains what all views but one show. Time: at most 13 fits of 5 steps, 16 places times
+// views, of which at most 40 are used.
 OutlineEvidence CompareWithBodies(const TopologyInput& images, const ViewFinder& finder,
                                   const DrawingLink& link);
 

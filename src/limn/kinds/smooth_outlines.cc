@@ -10,6 +10,7 @@
 #include "limn/geometry/polyline.h"
 #include "limn/kinds/outline_fit.h"
 #include "limn/support/view_edgels.h"
+#include "limn/util/logistic.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -20,11 +21,13 @@ constexpr double kMinBodyPx = 3;
 // Edgels of an outline may be this much farther from it than edgels usually are from edges.
 constexpr double kMaxRmsRatio = 1.6;
 // Least evidence of an outline, of one that speaks for others, and of one that no other speaks for;
-// the last must be shown by this share of the views where it is not at the place of the edge.
+// the last must be shown by this share of the views where it is not at the place of the edge, and
+// by this many.
 constexpr double kMinOutlineRatio = 0.3;
 constexpr double kSpeaksRatio = 1;
 constexpr double kAloneRatio = 4;
 constexpr double kAloneShownShare = 0.4;
+constexpr int kMinMovedShown = 2;
 constexpr size_t kAlonePlaces = 4;
 constexpr int kMinSpeakers = 2;
 // Outlines agree on a body if its radii differ by at most this share of the larger one, and at
@@ -43,6 +46,7 @@ bool MayBeOutline(const OutlineEvidence& evidence, double usual_rms_px) {
 
 bool IsOutlineAlone(const OutlineEvidence& evidence) {
   return evidence.log_ratio > kAloneRatio && evidence.body.axis.size() >= kAlonePlaces &&
+         evidence.num_moved_shown >= kMinMovedShown &&
          evidence.num_moved_shown >= kAloneShownShare * evidence.num_moved;
 }
 
@@ -82,6 +86,18 @@ double UsualRms(const std::vector<OutlineEvidence>& links) {
   return Median(std::move(values));
 }
 
+// Whether enough of the candidates agree with a link.
+bool HasSpeakers(const std::vector<OutlineEvidence>& links, const std::vector<size_t>& candidates,
+                 size_t link) {
+  int num_speakers = 0;
+  for (const size_t other : candidates) {
+    if (other == link || links[other].log_ratio <= kSpeaksRatio) continue;
+    num_speakers += AgreeOnBody(links[link], links[other]);
+    if (num_speakers == kMinSpeakers) return true;
+  }
+  return false;
+}
+
 // Per link, whether it is the outline of a smooth body.
 std::vector<uint8_t> AreOutlines(const std::vector<OutlineEvidence>& links) {
   const double usual_rms_px = UsualRms(links);
@@ -91,11 +107,7 @@ std::vector<uint8_t> AreOutlines(const std::vector<OutlineEvidence>& links) {
   }
   std::vector<uint8_t> are_outlines(links.size(), 0);
   for (const size_t l : candidates) {
-    const auto num_speakers = std::ranges::count_if(candidates, [&](size_t other) {
-      return other != l && links[other].log_ratio > kSpeaksRatio &&
-             AgreeOnBody(links[l], links[other]);
-    });
-    are_outlines[l] = num_speakers >= kMinSpeakers || IsOutlineAlone(links[l]);
+    are_outlines[l] = IsOutlineAlone(links[l]) || HasSpeakers(links, candidates, l);
   }
   return are_outlines;
 }
@@ -118,7 +130,7 @@ OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& 
   for (size_t l = 0; l < links.size(); ++l) {
     if (!are_outlines[l]) continue;
     links[l].kind = LinkKind::kContour;
-    links[l].kind_confidence = 1 / (1 + std::exp(-evidence[l].log_ratio));
+    links[l].kind_confidence = Logistic(evidence[l].log_ratio);
   }
   result.summary.stage = "outlines of smooth bodies";
   result.summary.in = {{"links", std::ssize(links)}};

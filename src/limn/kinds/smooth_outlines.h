@@ -21,8 +21,8 @@ struct OutlinesResult {
 // Finds the links that are outlines of smooth bodies, of which every view sees another curve, and
 // makes them contours (ours; algorithm/kinds.md#smooth-bodies). A body, round across the link, must
 // explain the edgels of all views better than an edge in space, and outlines on two other links
-// must agree on it. Tentative links and rods stay. Contours of an earlier run are judged anew.
-// Throws Cancelled. Time: that of CompareWithBodies for each link.
+// must agree on it, unless it is much better alone. Tentative links and rods stay. Contours of an
+// earlier run are judged anew. Throws Cancelled. Time: that of CompareWithBodies for each link.
 OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& context);
 
 // The drawing without contours: their kind is unknown.

@@ -64,6 +64,9 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
   if (!(link.kind_confidence >= 0 && link.kind_confidence <= 1)) {
     violations->Add("link", id, "confidence of its kind not from 0 to 1");
   }
+  if (link.evidence && !std::isfinite(*link.evidence)) {
+    violations->Add("link", id, "evidence not finite");
+  }
   if (!(link.confidence == -1 || (link.confidence >= 0 && link.confidence <= 1))) {
     violations->Add("link", id, "confidence not from 0 to 1");
   }

@@ -160,7 +160,9 @@ struct DrawingLink {
   double residual_px = 0;
   // The angle by which its views measure its depth (TriAngleDeg); -1: unknown.
   double tri_angle_deg = -1;
-  // Probability that its curve exists, 0 to 1, believed or not (ConfidenceOf); -1: unknown.
+  // Of the images, against chance, natural logarithm (JudgeLinks). Of links that were judged.
+  std::optional<double> evidence;
+  // Probability that its curve exists, 0 to 1, believed or not (TellConfidences); -1: unknown.
   double confidence = -1;
   // Length of the curve that it is a part of (MeasureCurves), pixels; 0: unknown.
   double curve_px = 0;

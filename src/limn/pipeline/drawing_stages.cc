@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "limn/belief/confidence.h"
 #include "limn/belief/link_judge.h"
 #include "limn/belief/tri_angle.h"
 #include "limn/kinds/classify_kinds.h"
@@ -59,6 +60,7 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const StageObserver& on_stage_end) {
   if (options.IsPaper()) return graph;
   MeasureTriAngles(views, context, &graph);
+  TellConfidences(views, &graph);
   MeasureCurves(views, &graph);
   PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
   on_stage_end(primitives.summary);

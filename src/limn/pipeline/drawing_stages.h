@@ -38,14 +38,15 @@ DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end,
                        const std::string& part = "");
 
-// Refines a drawing, judges its links and finds rods (RefineDrawing, JudgeLinks, FindRods; rods
-// only among judged links). The paper's drawing stays as it is (PipelineOptions::IsPaper).
+// Refines a drawing, judges its links and finds rods and outlines of smooth bodies (RefineDrawing,
+// JudgeLinks, FindRods, FindSmoothOutlines; the last two only among judged links). The paper's
+// drawing stays as it is (PipelineOptions::IsPaper).
 DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                             const RunContext& context, const StageObserver& on_stage_end);
 
-// Fits primitives to the links, finds their kinds and texture if images can be read, and makes them
-// regular if the options say so (FitPrimitives, ClassifyKinds, MarkTexture, Regularize). The
-// paper's drawing stays as it is.
+// Tells angles and confidences of the links, fits primitives to them, finds their kinds and texture
+// if images can be read, and makes them regular if the options say so (FitPrimitives,
+// ClassifyKinds, MarkTexture, Regularize). The paper's drawing stays as it is.
 DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const std::function<Image(ViewId)>& read_image,
                            const PipelineOptions& options, const RunContext& context,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "limn/belief/confidence.h"
 #include "limn/belief/tri_angle.h"
 #include "limn/kinds/classify_kinds.h"
 #include "limn/kinds/texture.h"
@@ -73,6 +74,7 @@ StageSummary RefitEdited(const CurvesScene& scene, const std::function<Image(Vie
   edited->graph =
       RefitPrimitives(refit.graph, edited->touched, scene.views, options.primitives, context);
   MeasureTriAngles(scene.views, context, &edited->graph);
+  TellConfidences(scene.views, &edited->graph);
   MeasureCurves(scene.views, &edited->graph);
   TellKinds(scene.views, read_image, context, edited);
   SnapDimensions(scene.views, edited);

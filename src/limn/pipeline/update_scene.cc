@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "limn/belief/confidence.h"
 #include "limn/belief/tri_angle.h"
 #include "limn/cache/curves_key.h"
 #include "limn/cache/view_sketch_file.h"
@@ -408,6 +409,7 @@ class SceneUpdater {
     std::vector<uint8_t> changed;
     for (const DrawingLink& link : graph.links) changed.push_back(!link.primitive);
     MeasureTriAngles(input_.views, context_, &graph);
+    TellConfidences(input_.views, &graph);
     MeasureCurves(input_.views, &graph);
     graph = RefitPrimitives(graph, changed, input_.views, options_.primitives, context_);
     if (!input_.images.read) return graph;

@@ -138,16 +138,6 @@ class DrawingRefiner {
   int64_t num_frozen_ = 0;  // of the links that remain
 };
 
-// Adds the outlines of smooth bodies of another graph as they are.
-void AddContours(const DrawingGraph& from, DrawingGraph* graph) {
-  GraphEditor editor(graph);
-  for (DrawingLink link : from.links) {
-    if (link.kind != LinkKind::kContour) continue;
-    link.node0 = link.node1 = -1;
-    editor.Add(std::move(link));
-  }
-}
-
 // Refines in units of the scene.
 RefinementResult RefineEdges(const RefinementInput& input, const RefinementOptions& options,
                              const TopologyOptions& topology, const RunContext& context) {
@@ -172,11 +162,7 @@ RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOpt
     unchanged.summary.stage = "refinement";
     return unchanged;
   }
-  DrawingGraph edges = input.graph;
-  RemoveLinks(AreEdges(input.graph), &edges);
-  RefinementResult result = RefineEdges({input.scene, edges}, options, topology, context);
-  AddContours(input.graph, &result.graph);
-  return result;
+  return RefineEdges(input, options, topology, context);
 }
 
 }  // namespace limn

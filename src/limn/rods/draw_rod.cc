@@ -10,6 +10,7 @@
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/util/angles.h"
+#include "limn/util/logistic.h"
 
 namespace limn {
 namespace {
@@ -43,7 +44,7 @@ class RodDrawing {
     const int num_links = editor_.NumLinks();
     for (LinkId id = 0; id < num_links; ++id) {
       const DrawingLink& link = editor_.link(id);
-      if (link.tentative || link.kind == LinkKind::kContour) continue;
+      if (link.tentative) continue;
       if (!near.intersects(BoxOf(link.points_in_world))) continue;
       for (const LinkId part : PartsAlong(rod, id)) {
         graph_.links[part].tentative = true;
@@ -116,8 +117,7 @@ class RodDrawing {
     DrawingLink link;
     link.points_in_world = found.rod.axis;
     link.kind = LinkKind::kRod;
-    link.kind_confidence = 1 / (1 + std::exp(-found.evidence.log_ratio));
-    link.confidence = link.kind_confidence;
+    link.kind_confidence = Logistic(found.evidence.log_ratio);
     link.rod_radius = found.rod.radius;
     link.supporting_views = found.views;
     link.residual_px = found.evidence.rms_px;

@@ -83,6 +83,7 @@ void CombineKinds(const DrawingLink& other, DrawingLink* link) {
   if (link->kind == LinkKind::kRod && !are_rods) link->kind_confidence = 0;
   if (link->kind_confidence == 0) link->kind = LinkKind::kUnknown;
   if (link->kind != LinkKind::kRod) link->rod_radius = 0;
+  link->evidence = std::max(link->evidence, other.evidence);  // the unknown is least
   const bool is_known = link->confidence >= 0 && other.confidence >= 0;
   link->confidence =
       is_known ? (link->confidence * length + other.confidence * other_length) / whole : -1;

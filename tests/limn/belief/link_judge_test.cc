@@ -1,5 +1,6 @@
 #include "limn/belief/link_judge.h"
 
+#include <cmath>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -83,32 +84,27 @@ TEST(JudgeLinksTest, WhatHasGrownFromALinkIsNoEvidenceForIt) {
   }
 }
 
-double ConfidenceIn(const BeliefScene& scene, size_t link) {
-  return Judged(scene).graph.links[link].confidence;
+double EvidenceIn(const BeliefScene& scene, size_t link) {
+  return Judged(scene).graph.links[link].evidence.value();
 }
 
-TEST(JudgeLinksTest, ConfidenceGrowsWithViewsAndNeighborsAndTheRestOfTheDrawing) {
-  BeliefScene few;
-  few.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0), 4);
-  BeliefScene meets = few;
-  meets.Add(FrontalPoint(-50, 0), FrontalPoint(-50, 60), 4);
-  BeliefScene beside_sure = few;
-  beside_sure.Add(FrontalPoint(-50, 40), FrontalPoint(50, 40));
-  const double alone = ConfidenceIn(few, 0);
-  EXPECT_GT(alone, 0);
-  EXPECT_LT(alone, 0.5);
-  EXPECT_GT(ConfidenceIn(meets, 0), alone);
-  EXPECT_GT(ConfidenceIn(beside_sure, 0), alone);
-  EXPECT_GT(ConfidenceIn(beside_sure, 1), 0.85);
-  EXPECT_LE(ConfidenceIn(beside_sure, 1), 1);
+TEST(JudgeLinksTest, EvidenceGrowsWithTheViewsAndTheSigma) {
+  BeliefScene scene;
+  scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0), 4);
+  scene.Add(FrontalPoint(-50, 40), FrontalPoint(50, 40));
+  EXPECT_GT(EvidenceIn(scene, 1), EvidenceIn(scene, 0));
+  BeliefScene sharper = scene;
+  for (double& sigma : sharper.graph.links[0].sigma) sigma /= 2;
+  EXPECT_NEAR(EvidenceIn(sharper, 0), EvidenceIn(scene, 0) + 2 * std::log(2.0), 1e-6);
 }
 
-TEST(JudgeLinksTest, WithoutAJudgeThereIsNoConfidence) {
+TEST(JudgeLinksTest, WithoutAJudgeThereIsNoEvidence) {
   BeliefScene scene;
   scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0));
+  scene.graph.links[0].evidence = 3;
   BeliefOptions options;
   options.judge = false;
-  EXPECT_EQ(Judged(scene, {}, options).graph.links[0].confidence, -1);
+  EXPECT_FALSE(Judged(scene, {}, options).graph.links[0].evidence);
 }
 
 // A glossy front shows the image of an edge before it to the few views that it reflects into.
@@ -188,13 +184,6 @@ TEST(JudgeLinksTest, LinksThatCouldNotBeFitted) {
             (Doubts{LinkDoubt::kNone, LinkDoubt::kNone, LinkDoubt::kNone, LinkDoubt::kNone,
                     LinkDoubt::kFewViews, LinkDoubt::kNone, LinkDoubt::kNone, LinkDoubt::kNone,
                     LinkDoubt::kFewViews}));
-}
-
-TEST(JudgeLinksTest, ContoursAreNotJudged) {
-  BeliefScene scene;
-  scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0), 2);
-  scene.graph.links[0].kind = LinkKind::kContour;
-  EXPECT_EQ(DoubtsOf(scene, {0}), (Doubts{LinkDoubt::kNone}));
 }
 
 TEST(JudgeLinksTest, EarlierMarksAreReplaced) {

@@ -62,11 +62,5 @@ TEST(LoosePiecesTest, DoubtedLinksHoldNothing) {
   EXPECT_EQ(pieces.Doubted(), (std::vector<bool>{false, true, true}));
 }
 
-TEST(LoosePiecesTest, ContoursStandAlone) {
-  Pieces pieces = PairAndOne();
-  pieces.graph.links[0].kind = LinkKind::kContour;
-  EXPECT_EQ(pieces.Doubted(), (std::vector<bool>{false, true, true}));
-}
-
 }  // namespace
 }  // namespace limn

@@ -72,5 +72,18 @@ TEST(MeasuredDepthTest, WithoutAnAngleAsGoodAsWhatItMeets) {
   EXPECT_EQ(DoubtedInRow({kNone, kMany}), (std::vector<bool>{false, false}));
 }
 
+TEST(LeastAngleTest, AllLinksNeedAWideAngleWhereMostHaveNone) {
+  EXPECT_EQ(LeastAngleDeg({1, 4, 4.9, 30, 60}, 2), 5);
+  EXPECT_EQ(LeastAngleDeg({1, 4, 5.1, 30, 60}, 2), 2);
+  EXPECT_EQ(LeastAngleDeg({1, 4, 4.9, 30, 60}, 7), 7);
+}
+
+TEST(LeastAngleTest, UnknownAnglesSayNothing) {
+  EXPECT_EQ(LeastAngleDeg({-1, -1, -1, 30, 60}, 2), 2);
+  EXPECT_EQ(LeastAngleDeg({-1, 3}, 2), 5);
+  EXPECT_EQ(LeastAngleDeg({-1}, 2), 2);
+  EXPECT_EQ(LeastAngleDeg({}, 2), 2);
+}
+
 }  // namespace
 }  // namespace limn

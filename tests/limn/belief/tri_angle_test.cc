@@ -1,10 +1,12 @@
 #include "limn/belief/tri_angle.h"
 
+#include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>
 
 #include "limn/topology/graph_fixture.h"
+#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -43,6 +45,14 @@ TEST(TriAngleTest, OppositeViewsSeeTheSamePlane) {
 
 TEST(TriAngleTest, AViewAlongTheCurveTellsNothing) {
   EXPECT_NEAR(AngleOfLine({{0, 0, -5}, {0.01, 30, 0}}), 0, 1e-5);
+}
+
+// 20 degrees from the rays: their planes turn by 5.6 degrees where the camera moves by 2.
+TEST(TriAngleTest, ACurveThatPointsAtTheCamerasTellsNoMoreThanRays) {
+  const double tilt = 20 * kDeg;
+  const Eigen::Vector3d center(0, -5 * std::cos(tilt), -5 * std::sin(tilt));
+  const Eigen::Vector3d moved = center + Eigen::Vector3d(5 * std::tan(2 * kDeg), 0, 0);
+  EXPECT_NEAR(AngleOfLine({center, moved}), 2, 1e-9);
 }
 
 TEST(TriAngleTest, OneViewIsUnknown) { EXPECT_EQ(AngleOfLine({{0, 0, -5}}), -1); }

@@ -39,7 +39,7 @@ DrawingGraph Drawn() {
 Reliability Compare(const DrawingGraph& drawing, const CurveSet& dont_care = {},
                     std::optional<Eigen::AlignedBox3d> region = std::nullopt) {
   return CompareConfidences(drawing, TrueLine({0, 0.05, 0}, {3, 0.05, 0}), dont_care, {},
-                            {kWithin, 2, region});
+                            {kWithin, 2, region}, {});
 }
 
 TEST(Reliability, ToldAndRightPerBin) {
@@ -70,7 +70,8 @@ TEST(Reliability, OutlinesRodsAndTheUnknownDoNot) {
   DrawingGraph drawing = Drawn();
   drawing.links[0].kind = LinkKind::kContour;
   drawing.links[1].kind = LinkKind::kRod;
-  drawing.links[2].confidence = -1;
+  drawing.links[2].doubt = LinkDoubt::kRodOutline;
+  drawing.links.push_back(LineTold({0, 3, 0}, {1, 3, 0}, -1));
   EXPECT_EQ(Compare(drawing).Length(), 0);
   EXPECT_EQ(Compare(drawing).CalibrationError(), 0);
 }
@@ -88,15 +89,15 @@ TEST(Reliability, DistancesInFootprints) {
   const auto right_at = [&](double distance_px) {
     const double off = distance_px * PixelFootprint(views, Eigen::Vector3d::Zero());
     const CurveSet truth = TrueLine({-1, off, 0}, {1, off, 0});
-    return CompareConfidences(drawing, truth, {}, views, {}).bins[9].right;
+    return CompareConfidences(drawing, truth, {}, views, {}, {}).bins[9].right;
   };
   EXPECT_NEAR(right_at(1.8), 0.1, 1e-9);
   EXPECT_EQ(right_at(2.2), 0);
 }
 
 TEST(Reliability, RejectsSenselessOptions) {
-  EXPECT_THROW(CompareConfidences({}, {}, {}, {}, {0, 2, {}}), OptionError);
-  EXPECT_THROW(CompareConfidences({}, {}, {}, {}, {1, -1, {}}), OptionError);
+  EXPECT_THROW(CompareConfidences({}, {}, {}, {}, {0, 2, {}}, {}), OptionError);
+  EXPECT_THROW(CompareConfidences({}, {}, {}, {}, {1, -1, {}}, {}), OptionError);
 }
 
 }  // namespace

@@ -217,6 +217,7 @@ TEST(WriteDrawing, JsonKeepsTheKinds) {
     graph.links[l].kind = kinds[l];
     graph.links[l].kind_confidence = 1.0 / static_cast<double>(l + 1);
     graph.links[l].tentative = l >= 1;
+    if (l >= 1) graph.links[l].evidence = -2.5 * static_cast<double>(l);
     if (l >= 1) graph.links[l].confidence = 0.3 * static_cast<double>(l);
     if (l >= 1) graph.links[l].tri_angle_deg = 12.5 * static_cast<double>(l);
     graph.links[l].curve_px = 0.1 * static_cast<double>(l);
@@ -229,6 +230,7 @@ TEST(WriteDrawing, JsonKeepsTheKinds) {
     EXPECT_EQ(read.links[l].kind, kinds[l]);
     EXPECT_EQ(read.links[l].kind_confidence, graph.links[l].kind_confidence);
     EXPECT_EQ(read.links[l].tentative, l >= 1);
+    EXPECT_EQ(read.links[l].evidence, graph.links[l].evidence);
     EXPECT_EQ(read.links[l].confidence, graph.links[l].confidence);
     EXPECT_EQ(read.links[l].tri_angle_deg, graph.links[l].tri_angle_deg);
     EXPECT_EQ(read.links[l].curve_px, graph.links[l].curve_px);

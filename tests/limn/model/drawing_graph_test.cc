@@ -78,6 +78,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "link 1: confidence of its kind not from 0 to 1"},
         Breakage{"CurveLength", [](DrawingGraph* g) { g->links[1].curve_px = -1; },
                  "link 1: length of its curve"},
+        Breakage{"Evidence", [](DrawingGraph* g) { g->links[1].evidence = INFINITY; },
+                 "link 1: evidence not finite"},
         Breakage{"Confidence", [](DrawingGraph* g) { g->links[1].confidence = -0.5; },
                  "link 1: confidence not from 0 to 1"},
         Breakage{"TriAngle", [](DrawingGraph* g) { g->links[1].tri_angle_deg = 91; },

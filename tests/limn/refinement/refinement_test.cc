@@ -250,29 +250,6 @@ TEST(Refinement, LinkThatNoViewShowsStaysWhereItWas) {
   EXPECT_EQ(result.links[0].sigma, graph.links[0].sigma);
 }
 
-TEST(Refinement, OutlinesOfSmoothBodiesStayAsTheyWere) {
-  DrawingGraph graph = Perturbed(DrawnCube(), 0.6);
-  // Beside an edge, which would attract it.
-  DrawingLink outline = MakeLink(graph.nodes[0].position_in_world, {0.3, 0.1, 0.2}, 8, 9);
-  outline.kind = LinkKind::kContour;
-  outline.points_in_world = graph.links[0].points_in_world;
-  outline.sigma = graph.links[0].sigma;
-  for (const Eigen::Vector3d& end :
-       {outline.points_in_world.front(), outline.points_in_world.back()}) {
-    graph.nodes.emplace_back();
-    graph.nodes.back().position_in_world = end;
-  }
-  graph.links.insert(graph.links.begin() + 3, outline);
-  RebuildIncidence(&graph);
-  ASSERT_TRUE(Validate(graph).empty());
-  const DrawingGraph result = RefineCube(graph, 0).graph;
-  EXPECT_TRUE(Validate(result).empty());
-  ASSERT_EQ(result.links.size(), 13u);
-  EXPECT_EQ(result.links.back().kind, LinkKind::kContour);
-  EXPECT_EQ(result.links.back().points_in_world, outline.points_in_world);
-  EXPECT_EQ(result.links.back().supporting_views, outline.supporting_views);
-}
-
 TEST(Refinement, TwoViewsAreTooFew) {
   DrawingGraph graph = Perturbed(DrawnCube(), 0.6);
   for (DrawingLink& link : graph.links) link.supporting_views = {0, 5};

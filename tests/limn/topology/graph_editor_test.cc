@@ -703,6 +703,17 @@ TEST(JoinKindsTest, SameKindIsKeptWithTheMeanConfidence) {
   EXPECT_NEAR(link.kind_confidence, 0.8, 1e-12);
 }
 
+TEST(JoinKindsTest, EvidenceIsThatOfTheSurerOne) {
+  DrawingGraph graph = GraphWithVertices({Row(0, 4), Row(7, 9), Row(12, 14)});
+  graph.links[0].evidence = 3;
+  graph.links[1].evidence = 5;
+  GraphEditor editor(&graph);
+  editor.Join({0, 1}, {1, 0});
+  EXPECT_EQ(graph.links[0].evidence, 5);
+  editor.Join({0, 1}, {2, 0});
+  EXPECT_EQ(graph.links[0].evidence, 5);
+}
+
 TEST(JoinKindsTest, ConfidenceIsTheMeanOverTheLengthWhereBothAreKnown) {
   const auto joined = [](double longer, double shorter) {
     DrawingGraph graph = GraphWithVertices({Row(0, 4), Row(7, 9)});
