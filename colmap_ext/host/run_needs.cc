@@ -61,8 +61,7 @@ RunNeeds EstimateNeeds(const std::vector<View>& views, const TileOptions& tiles,
   std::ranges::sort(pixels, std::greater());
   const size_t max_views = tiles.max_views > 0 ? tiles.max_views : pixels.size();
   const double of_views = kBytesPerRoot * SumOfRoots(pixels, std::min(max_views, pixels.size()));
-  const double of_planes =
-      pixels.empty() ? 0 : num_threads * kPlaneBytesPerPixel * pixels.front();
+  const double of_planes = pixels.empty() ? 0 : num_threads * kPlaneBytesPerPixel * pixels.front();
   return {kProgramBytes + std::max(of_views, kShareWithEdges * of_views + of_planes),
           kCacheBytesPerRoot * SumOfRoots(pixels, pixels.size())};
 }
