@@ -102,8 +102,9 @@ std::optional<Reliability> ReliabilityOf(const DrawingGraph& whole_drawing, cons
   of_confidences.tau = of_curves.taus[of_curves.taus.size() / 2];
   of_confidences.dont_care_taus = of_curves.dont_care_taus;
   of_confidences.region = BoxFromNumbers(options.box);
-  const Reliability reliability = CompareConfidences(whole_drawing, truth.curves, truth.dont_care,
-                                                     ViewsOfUnit(views, options), of_confidences);
+  const Reliability reliability =
+      CompareConfidences(whole_drawing, truth.curves, truth.dont_care, ViewsOfUnit(views, options),
+                         of_confidences, context);
   if (reliability.Length() > 0) return reliability;
   return std::nullopt;
 }

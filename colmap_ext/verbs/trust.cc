@@ -30,7 +30,7 @@ constexpr double kMostUnmeasured = 0.5;
 // A drawing of which more than this is expected to be right is good, one with less than the other
 // is nonsense (algorithm/belief.md#verdict).
 constexpr double kGoodShare = 0.5;
-constexpr double kNonsenseShare = 0.2;
+constexpr double kNonsenseShare = 0.03;
 
 std::string Percent(double share) { return ShortNumber(100 * share) + " %"; }
 
@@ -173,9 +173,8 @@ void SayVerdict(const Trust& trust, bool has_box, Console* console) {
   if (trust.right)
     line += ", " + Percent(*trust.right) + " of the length found is expected to be right";
   console->Say(line);
-  if (verdict != Verdict::kNonsense) return;
-  if (ExplainsNothing(trust, has_box) || !HasNoDepth(trust))
-    WarnOfNonsense(trust, has_box, console);
+  // Without depth all links are tentative and explain nothing; that cause has been told.
+  if (verdict == Verdict::kNonsense && !HasNoDepth(trust)) WarnOfNonsense(trust, has_box, console);
 }
 
 }  // namespace

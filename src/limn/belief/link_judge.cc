@@ -33,15 +33,16 @@ constexpr double kJoinedEndEvidence = 5;
 constexpr double kMinViews = 3;
 // The better the place of a link is determined, the fewer links could be in its stead: their number
 // is proportional to the variance across it. At this sigma that is no evidence either way; smaller
-// ones than the second are not trusted, px.
+// ones than the second are not trusted, unknown ones are the third, px.
 constexpr double kUsualSigmaPx = 0.65;
 constexpr double kMinSigmaPx = 0.05;
+constexpr double kMaxSigmaPx = 1e3;
 
 // Of the median sigma.
 double EvidenceOfSigma(const DrawingLink& link, double footprint) {
   if (!(footprint > 0)) return 0;
   const double sigma_px = Median(link.sigma) / footprint;
-  return 2 * std::log(kUsualSigmaPx / std::max(sigma_px, kMinSigmaPx));
+  return 2 * std::log(kUsualSigmaPx / std::clamp(sigma_px, kMinSigmaPx, kMaxSigmaPx));
 }
 
 class Judge {
@@ -83,8 +84,6 @@ class Judge {
     }
     return LinkDoubt::kNone;
   }
-
-  LinkFacts FactsOf(size_t l) const { return {EvidenceOf(l), links_[l].showing_views, NumFree(l)}; }
 
   // Of the images and of the sigma, per link.
   const std::vector<double>& evidence() const { return evidence_; }

@@ -342,7 +342,8 @@ std::string WhyNothingIsTriangulated(const std::vector<View>& views) {
   }
   const std::vector<Eigen::Vector3d> centers = Centers(views);
   if (!IsExtended(Extent(centers), centers)) {
-    return "the cameras are all at one center: nothing can be triangulated";
+    return "the cameras are all at one center: nothing can be triangulated. Take photographs from "
+           "other places";
   }
   if (const int num_sites = CountSites(centers); num_sites < 3) {
     return "the cameras must be at 3 places at least, but all are at " + std::to_string(num_sites);

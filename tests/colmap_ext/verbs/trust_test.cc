@@ -81,8 +81,8 @@ Trust TrustIn(double right, double explained, double unmeasured) {
 TEST(VerdictOf, NeedsEvidenceAgreementAndDepth) {
   EXPECT_EQ(VerdictOf(TrustIn(0.51, 0.3, 0), false), Verdict::kGood);
   EXPECT_EQ(VerdictOf(TrustIn(0.49, 0.3, 0), false), Verdict::kDoubtful);
-  EXPECT_EQ(VerdictOf(TrustIn(0.21, 0.3, 0), false), Verdict::kDoubtful);
-  EXPECT_EQ(VerdictOf(TrustIn(0.19, 0.3, 0), false), Verdict::kNonsense);
+  EXPECT_EQ(VerdictOf(TrustIn(0.04, 0.3, 0), false), Verdict::kDoubtful);
+  EXPECT_EQ(VerdictOf(TrustIn(0.02, 0.3, 0), false), Verdict::kNonsense);
   EXPECT_EQ(VerdictOf(TrustIn(0.9, 0.019, 0), false), Verdict::kNonsense);
   EXPECT_EQ(VerdictOf(TrustIn(0.9, 0.019, 0), true), Verdict::kGood);
   EXPECT_EQ(VerdictOf(TrustIn(0.9, 0.3, 0.51), false), Verdict::kNonsense);
@@ -102,7 +102,7 @@ TEST(SayTrust, VerdictWithCausesWhereItIsNonsense) {
   EXPECT_THAT(SaidOf(TrustIn(0.87, 0.3, 0)),
               HasSubstr("Verdict: good, 87 % of the length found is expected to be right"));
   EXPECT_THAT(SaidOf(TrustIn(0.87, 0.3, 0)), Not(HasSubstr("WARNING")));
-  EXPECT_THAT(SaidOf(TrustIn(0.05, 0.3, 0)), HasSubstr("WARNING: only 5 % of the length found"));
+  EXPECT_THAT(SaidOf(TrustIn(0.02, 0.3, 0)), HasSubstr("WARNING: only 2 % of the length found"));
   EXPECT_THAT(SaidOf(TrustIn(0.05, 0.01, 0)), HasSubstr("WARNING: the drawing explains next to"));
   Trust of_paper;
   of_paper.explained = 0.3;

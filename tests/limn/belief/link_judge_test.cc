@@ -98,6 +98,14 @@ TEST(JudgeLinksTest, EvidenceGrowsWithTheViewsAndTheSigma) {
   EXPECT_NEAR(EvidenceIn(sharper, 0), EvidenceIn(scene, 0) + 2 * std::log(2.0), 1e-6);
 }
 
+TEST(JudgeLinksTest, UnknownSigmasAreLittleEvidenceButSome) {
+  BeliefScene scene;
+  scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0));
+  scene.graph.links[0].sigma.assign(scene.graph.links[0].sigma.size(), INFINITY);
+  EXPECT_LT(EvidenceIn(scene, 0), 10);
+  EXPECT_EQ(DoubtsOf(scene).size(), 1u);
+}
+
 TEST(JudgeLinksTest, WithoutAJudgeThereIsNoEvidence) {
   BeliefScene scene;
   scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0));

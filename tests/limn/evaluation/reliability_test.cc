@@ -77,7 +77,7 @@ TEST(Reliability, OutlinesRodsAndTheUnknownDoNot) {
 }
 
 TEST(Reliability, OnlyInsideAndWhereOneCares) {
-  const Eigen::AlignedBox3d region({-1, 0.5, -1}, {1.5, 3, 1});
+  const Eigen::AlignedBox3d region(Eigen::Vector3d(-1, 0.5, -1), Eigen::Vector3d(1.5, 3, 1));
   EXPECT_NEAR(Compare(Drawn(), {}, region).Length(), 1.5 + 1, 2 * kCellLength);
   EXPECT_NEAR(Compare(Drawn(), TrueLine({0, 2.1, 0}, {1, 2.1, 0})).Length(), 6, 1e-9);
 }
