@@ -11,11 +11,11 @@
 namespace limn::colmap_ext {
 namespace {
 
-// Measured (algorithm/cache.md#what-a-run-needs). A photograph shows about as many edges whatever
-// its size: what a view needs grows with the fourth root of its pixels.
+// Measured (algorithm/cache.md#what-a-run-needs). Edges are lines: what a view needs grows with its
+// side, the square root of its pixels.
 constexpr double kProgramBytes = 100e6;
-constexpr double kBytesPerRoot = 0.75e6;
-constexpr double kCacheBytesPerRoot = 0.08e6;
+constexpr double kBytesPerSidePx = 25e3;
+constexpr double kCacheBytesPerSidePx = 2.8e3;
 // While edges are found, of what views need in the end, and per pixel of the largest one and
 // thread.
 constexpr double kShareWithEdges = 0.35;
@@ -26,9 +26,9 @@ double NumPixels(const View& view) {
 }
 
 // Sum over the first views.
-double SumOfRoots(const std::vector<double>& pixels, size_t count) {
+double SumOfSides(const std::vector<double>& pixels, size_t count) {
   double sum = 0;
-  for (size_t v = 0; v < count; ++v) sum += std::sqrt(std::sqrt(pixels[v]));
+  for (size_t v = 0; v < count; ++v) sum += std::sqrt(pixels[v]);
   return sum;
 }
 
@@ -60,10 +60,10 @@ RunNeeds EstimateNeeds(const std::vector<View>& views, const TileOptions& tiles,
   for (const View& view : views) pixels.push_back(NumPixels(view));
   std::ranges::sort(pixels, std::greater());
   const size_t max_views = tiles.max_views > 0 ? tiles.max_views : pixels.size();
-  const double of_views = kBytesPerRoot * SumOfRoots(pixels, std::min(max_views, pixels.size()));
+  const double of_views = kBytesPerSidePx * SumOfSides(pixels, std::min(max_views, pixels.size()));
   const double of_planes = pixels.empty() ? 0 : num_threads * kPlaneBytesPerPixel * pixels.front();
   return {kProgramBytes + std::max(of_views, kShareWithEdges * of_views + of_planes),
-          kCacheBytesPerRoot * SumOfRoots(pixels, pixels.size())};
+          kCacheBytesPerSidePx * SumOfSides(pixels, pixels.size())};
 }
 
 std::optional<double> AvailableMemory() {

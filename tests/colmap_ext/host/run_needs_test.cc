@@ -22,8 +22,8 @@ TEST(RunNeeds, GrowWithNumberAndSizeOfTheViews) {
   const RunNeeds two = EstimateNeeds(Views(2, 1600, 1200), {}, 1);
   EXPECT_GT(two.memory_bytes, one.memory_bytes);
   ExpectSame(two.cache_bytes, 2 * one.cache_bytes);
-  // The fourth root: what a view shows hardly depends on its size.
-  const RunNeeds large = EstimateNeeds(Views(1, 6400, 4800), {}, 1);
+  // Twice the side: twice the length of its edges.
+  const RunNeeds large = EstimateNeeds(Views(1, 3200, 2400), {}, 1);
   EXPECT_GT(large.memory_bytes, one.memory_bytes);
   ExpectSame(large.cache_bytes, two.cache_bytes);
 }
