@@ -3,6 +3,7 @@
 #include "limn/belief/link_judge.h"
 #include "limn/drawing/drawing.h"
 #include "limn/kinds/classify_kinds.h"
+#include "limn/kinds/smooth_outlines.h"
 #include "limn/kinds/texture.h"
 #include "limn/model/link_selection.h"
 #include "limn/pipeline/build_sketch.h"
@@ -67,9 +68,14 @@ void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_imag
         return FindRods({{scene.views, scene.curves, scene.hints}, judged.graph}, context);
       },
       as_seen, on_stage_end);
-  const PrimitiveResult primitives =
-      Measure([&] { return FitPrimitives(rods.graph, scene.views, options.primitives, context); },
-              as_seen, on_stage_end);
+  const OutlinesResult outlines = Measure(
+      [&] {
+        return FindSmoothOutlines({{scene.views, scene.curves, scene.hints}, rods.graph}, context);
+      },
+      as_seen, on_stage_end);
+  const PrimitiveResult primitives = Measure(
+      [&] { return FitPrimitives(outlines.graph, scene.views, options.primitives, context); },
+      as_seen, on_stage_end);
   if (!read_image) return;
   const KindsResult kinds = Measure(
       [&] {

@@ -278,7 +278,7 @@ TEST(OutputFolder, ACacheWithoutRoomDoesNotLoseTheRun) {
   const SmallScene scene;
   auto whole = RunWhole(scene);
   fs::remove_all(scene.output());
-  const TmpFs disk(scene / "curves/cache", 1 << 14);
+  const TmpFs disk(scene / "curves/cache", 1 << 12);
   if (!disk.is_mounted()) GTEST_SKIP() << "file systems cannot be mounted here";
   const LimnRun run = RunLimn(scene.Arguments());
   EXPECT_EQ(run.exit_code, 0) << run.err;

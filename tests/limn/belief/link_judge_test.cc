@@ -98,12 +98,13 @@ TEST(JudgeLinksTest, EvidenceGrowsWithTheViewsAndTheSigma) {
   EXPECT_NEAR(EvidenceIn(sharper, 0), EvidenceIn(scene, 0) + 2 * std::log(2.0), 1e-6);
 }
 
-TEST(JudgeLinksTest, UnknownSigmasAreLittleEvidenceButSome) {
+TEST(JudgeLinksTest, UnknownSigmasLeaveEvidenceFinite) {
   BeliefScene scene;
   scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0));
+  const double known = EvidenceIn(scene, 0);
   scene.graph.links[0].sigma.assign(scene.graph.links[0].sigma.size(), INFINITY);
-  EXPECT_LT(EvidenceIn(scene, 0), 10);
-  EXPECT_EQ(DoubtsOf(scene).size(), 1u);
+  EXPECT_LT(EvidenceIn(scene, 0), known - 10);
+  EXPECT_TRUE(std::isfinite(EvidenceIn(scene, 0)));
 }
 
 TEST(JudgeLinksTest, WithoutAJudgeThereIsNoEvidence) {
