@@ -7,6 +7,7 @@
 
 #include "limn/geometry/median_point.h"
 #include "limn/geometry/polyline.h"
+#include "limn/kinds/smooth_outlines.h"
 #include "limn/model/camera_rays.h"
 #include "limn/model/footprint.h"
 #include "limn/model/shrunk.h"
@@ -202,9 +203,10 @@ void CameraRefiner::Draw(const PictureLevel& level) {
   options.mode = SketchMode::kSweep;
   const SceneHints hints = HintsOf(scene_, input_.hints, scene_.views);
   ResultCache none("");
-  graph_ = DrawCurves({views, curves, hints, input_.box}, options, &none, context_,
-                      [](const StageSummary&) {})
-               .drawing.graph;
+  const CurvesScene scene = {views, curves, hints, input_.box};
+  const DrawnCurves drawn = DrawCurves(scene, options, &none, context_, [](const StageSummary&) {});
+  // No camera agrees with another one on an outline; they are left out of fits.
+  graph_ = FindSmoothOutlines({scene, drawn.drawing.graph}, context_).graph;
 }
 
 CameraRoundsResult CameraRefiner::Refine(const CameraRoundsInput& input) {
