@@ -5,12 +5,10 @@
 #include <utility>
 
 #include "limn/model/footprint.h"
-#include "limn/refinement/edge_links.h"
 #include "limn/refinement/fit_rounds.h"
 #include "limn/refinement/scene_unit.h"
 #include "limn/topology/covered_links.h"
 #include "limn/topology/edit_topology.h"
-#include "limn/topology/graph_editor.h"
 #include "limn/util/sort_unique.h"
 
 namespace limn {

@@ -30,10 +30,10 @@ struct RefinementResult {
 // the other side of a thin bar. Views in which two links run so near to each other that their edges
 // blur are ignored where enough others remain (crowding.h). After half of the rounds, covered links
 // are removed and the topology is repaired (RepairTopology). All links are taken for edges: the
-// graph has neither rods nor outlines. Sigmas come from the inverse normal
-// matrix, scaled by how well the views agree (variance_factors.h). Links that too few views show
-// keep their shape, with sigmas of at least max_distance_px. The result passes Validate(). Throws
-// OptionError and Cancelled. Time: rounds times length of all links in px times views.
+// graph has neither rods nor outlines. Sigmas come from the inverse normal matrix, scaled by how
+// well the views agree (variance_factors.h). Links that too few views show keep their shape, with
+// sigmas of at least max_distance_px. The result passes Validate(). Throws OptionError and
+// Cancelled. Time: rounds times length of all links in px times views.
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
                                const TopologyOptions& topology, const RunContext& context);
 

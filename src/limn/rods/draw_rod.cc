@@ -1,7 +1,6 @@
 #include "limn/rods/draw_rod.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <Eigen/Geometry>
