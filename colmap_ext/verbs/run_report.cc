@@ -135,7 +135,8 @@ Json ToJson(const Trust& trust) {
           {"has_share_of_cameras", trust.has_share_of_cameras},
           {"right", OrNull(trust.right)},
           {"tentative", OrNull(trust.tentative)},
-          {"unmeasured", OrNull(trust.unmeasured)}};
+          {"unmeasured", OrNull(trust.unmeasured)},
+          {"still", OrNull(trust.still)}};
 }
 
 std::string RunReportJson(const Project& project, const RunOptions& options,

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "colmap_ext/host/provenance.h"
+#include "limn/belief/still_edgels.h"
 #include "limn/evaluation/quantiles.h"
 #include "limn/evaluation/view_agreement.h"
 #include "limn/geometry/polyline.h"
@@ -27,6 +28,8 @@ constexpr double kMuchLess = 1.0 / 3;
 // drawing is a cloud of spikes.
 constexpr double kMuchUnmeasured = 0.1;
 constexpr double kMostUnmeasured = 0.5;
+// Where cameras move, next to no edgels stand still.
+constexpr double kMuchStill = 0.1;
 // A drawing of which more than this is expected to be right is good, one with less than the other
 // is nonsense (algorithm/belief.md#verdict).
 constexpr double kGoodShare = 0.5;
@@ -185,6 +188,7 @@ Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
   trust.num_images = set.CountImages(IdsOf(std::nullopt, views.size()));
   if (!curves.empty()) {
     AddAgreement(OfImages(set, MeasureAgreement(views, curves, graph)), &trust);
+    trust.still = StillShare(FindStillEdgels(views, curves, graph));
   }
   AddCertainty(set, views, graph, &trust);
   return trust;
@@ -220,6 +224,13 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
                  " of the length found was not measured: its images were taken from nearly the "
                  "same place. Take photographs from places farther apart, or, if the object turned "
                  "before the camera, mask what stood still (--mask_path)");
+  }
+  if (trust.still.value_or(0) > kMuchStill) {
+    console->Say("WARNING: " + Percent(*trust.still) +
+                 " of the edges stand at the same pixels in images from different places, as text "
+                 "in the pictures does, or the background if the object turned before the camera: "
+                 "mask them (--mask_path)" +
+                 (trust.right ? ". Curves along them are drawn only where they are sure" : ""));
   }
   if (trust.error_px && trust.error_90_px) SayCertainty(trust, console);
   SayVerdict(trust, has_box, console);

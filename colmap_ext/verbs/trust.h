@@ -45,6 +45,9 @@ struct Trust {
   std::optional<double> tentative;
   // Share whose depth was not measured (LinkDoubt::kDepth); part of `tentative`.
   std::optional<double> unmeasured;
+  // Share of the edgels that stand still (limn/belief/still_edgels.h). Nothing if the edges are not
+  // known.
+  std::optional<double> still;
 };
 
 // `views` are those of the set with the cameras that the drawing fits; `curves` belong to them, or

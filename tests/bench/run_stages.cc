@@ -1,6 +1,9 @@
 #include "bench/run_stages.h"
 
+#include "limn/belief/confidence.h"
 #include "limn/belief/link_judge.h"
+#include "limn/belief/short_curves.h"
+#include "limn/belief/tri_angle.h"
 #include "limn/drawing/drawing.h"
 #include "limn/kinds/classify_kinds.h"
 #include "limn/kinds/smooth_outlines.h"
@@ -82,12 +85,21 @@ void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_imag
         return ClassifyKinds({scene.views, read_image, primitives.graph}, context);
       },
       as_seen, on_stage_end);
+  const KindsResult marked = Measure(
+      [&] {
+        KindsResult result = kinds;
+        MeasureCurves(scene.views, &result.graph);
+        result.summary = MarkTexture(scene.views, &result.graph);
+        return result;
+      },
+      as_seen, on_stage_end);
   Measure(
       [&] {
-        KindsResult marked = kinds;
-        MeasureCurves(scene.views, &marked.graph);
-        marked.summary = MarkTexture(scene.views, &marked.graph);
-        return marked;
+        KindsResult result = marked;
+        MeasureTriAngles(scene.views, context, &result.graph);
+        TellConfidences(scene.views, &result.graph);
+        result.summary = DoubtShortCurves(scene.views, &result.graph);
+        return result;
       },
       as_seen, on_stage_end);
 }

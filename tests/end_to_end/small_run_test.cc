@@ -572,9 +572,10 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
     stages.push_back(stage.at("stage"));
     EXPECT_GT(stage.at("peak_mb").get<int>(), 0);
   }
-  EXPECT_THAT(stages, ::testing::ElementsAre(
-                          "image curves", "swept sketch", "drawing", "refinement", "belief", "rods",
-                          "outlines of smooth bodies", "primitives", "kinds of edges", "texture"));
+  EXPECT_THAT(stages,
+              ::testing::ElementsAre("image curves", "swept sketch", "drawing", "refinement",
+                                     "belief", "rods", "outlines of smooth bodies", "primitives",
+                                     "kinds of edges", "texture", "short curves"));
   EXPECT_EQ(report.at("options_changed").at("Drawing.min_link_length_px"), 7.5);
   const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;
   for (const DrawingLink& link : graph.links) {
@@ -595,6 +596,7 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
   EXPECT_GE(trust.at("tentative").get<double>(), 0);
   EXPECT_LT(trust.at("tentative").get<double>(), 0.5);
   EXPECT_LE(trust.at("unmeasured").get<double>(), trust.at("tentative").get<double>());
+  EXPECT_LT(trust.at("still").get<double>(), 0.05);
   ASSERT_EQ(report.at("evaluation").size(), 2u);
   EXPECT_GT(report.at("evaluation")[0].at("precision").get<double>(), 0.3);
   EXPECT_EQ(report.at("pr_curves").size(), 2u);

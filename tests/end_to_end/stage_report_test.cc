@@ -41,9 +41,10 @@ TEST(StageReport, TellsEveryStageAndIsComparable) {
   ASSERT_EQ(report.at("sets").size(), 1u);
   const nlohmann::json& set = report.at("sets")[0];
   EXPECT_EQ(set.at("num_views"), 24);
-  EXPECT_THAT(StageNames(set), ElementsAre("image curves", "swept sketch", "drawing", "refinement",
-                                           "belief", "rods", "outlines of smooth bodies",
-                                           "primitives", "kinds of edges", "texture", "total"));
+  EXPECT_THAT(StageNames(set),
+              ElementsAre("image curves", "swept sketch", "drawing", "refinement", "belief", "rods",
+                          "outlines of smooth bodies", "primitives", "kinds of edges", "texture",
+                          "short curves", "total"));
   double seconds = 0;
   for (const nlohmann::json& stage : set.at("stages")) {
     const bool is_total = stage.at("stage") == "total";

@@ -19,6 +19,8 @@ constexpr double kPerLogViews = 0.67;
 constexpr double kPerLogSure = 1.21;
 // More evidence than this makes nothing surer.
 constexpr double kMaxEvidence = 20;
+// Of links whose edgels stand still hardly one is right.
+constexpr double kStillFactor = 0.1;
 // Keeps the logarithm of the sure share finite.
 constexpr double kLeastSureShare = 0.02;
 
@@ -61,6 +63,8 @@ void TellConfidences(const std::vector<View>& views, DrawingGraph* graph) {
     link.confidence = ConfidenceOf(
         {*link.evidence, link.supporting_views.size(), NumFree(*graph, link), link.tri_angle_deg},
         sure_share);
+    const bool is_still = link.doubt == LinkDoubt::kStill && *link.evidence < kSureEvidence;
+    if (is_still) link.confidence *= kStillFactor;
   }
 }
 

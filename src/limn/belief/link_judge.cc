@@ -7,9 +7,9 @@
 
 #include "limn/belief/confidence.h"
 #include "limn/belief/link_claims.h"
-#include "limn/belief/loose_pieces.h"
 #include "limn/belief/measured_depth.h"
 #include "limn/belief/seen_through.h"
+#include "limn/belief/still_edgels.h"
 #include "limn/belief/tri_angle.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/view_finder.h"
@@ -38,6 +38,19 @@ constexpr double kUsualSigmaPx = 0.65;
 constexpr double kMinSigmaPx = 0.05;
 constexpr double kMaxSigmaPx = 1e3;
 
+// A link stands still if more than this share of its edgels do.
+constexpr double kMaxStillShare = 0.5;
+
+bool StandsStill(const ImageEvidence& evidence, const StillEdgels& still) {
+  double num_hits = 0, num_still = 0;
+  for (const LinkSight& sight : evidence.sights) {
+    num_hits += static_cast<double>(sight.hits.size());
+    num_still += static_cast<double>(std::ranges::count_if(
+        sight.hits, [&](const SampleHit& hit) { return still[sight.view][hit.edgel] != 0; }));
+  }
+  return num_still > kMaxStillShare * num_hits;
+}
+
 // Of the median sigma.
 double EvidenceOfSigma(const DrawingLink& link, double footprint) {
   if (!(footprint > 0)) return 0;
@@ -65,12 +78,18 @@ class Judge {
     }
     FindClaims(images, context, &links_);
     views_through_ = CountViewsThrough(images, links_, kSureEvidence, context);
+    const StillEdgels still = FindStillEdgels(input.scene.views, input.scene.curves, input.graph);
+    for (const ImageEvidence& of_link : links_) {
+      stands_still_.push_back(StandsStill(of_link, still));
+    }
   }
 
   LinkDoubt DoubtOf(size_t l) const {
     const ImageEvidence& evidence = links_[l];
     const DrawingLink& link = graph_.links[l];
     const int num_free = IsFree(l, link.node0) + IsFree(l, link.node1);
+    // Accidents among edgels that stand still are seldom sure; what slides along itself is.
+    if (stands_still_[l] && evidence_[l] < kSureEvidence) return LinkDoubt::kStill;
     if (!fitted_.empty() && !fitted_[l] && !IsInferred(link, evidence, num_free)) {
       return LinkDoubt::kFewViews;
     }
@@ -125,6 +144,7 @@ class Judge {
   std::vector<ImageEvidence> links_;
   std::vector<double> evidence_;
   std::vector<int> views_through_;
+  std::vector<uint8_t> stands_still_;
 };
 
 // Number and length of the links per doubt.
@@ -174,7 +194,6 @@ BeliefResult JudgeLinks(const BeliefInput& input, const BeliefOptions& options,
   const std::vector<double> angle_deg = TriAnglesDeg(input.graph, input.scene.views, context);
   DoubtUnmeasuredDepth(angle_deg, LeastAngleDeg(angle_deg, options.min_tri_angle_deg),
                        &result.graph);
-  DoubtLoosePieces(length_px, judge.evidence(), &result.graph);
   Tally tally;
   for (size_t l = 0; l < result.graph.links.size(); ++l) {
     DrawingLink& link = result.graph.links[l];

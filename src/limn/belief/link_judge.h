@@ -35,10 +35,11 @@ struct BeliefResult {
 // (ours; algorithm/belief.md). A link is doubted because too few views show it to be fitted;
 // because no more views show it than would by accident, with less evidence required of links that
 // meet others or are well located; because views see other links through it; because better links
-// explain its edgels; because its views are too near to each other to measure its depth; or as part
-// of a loose piece. Links tell their evidence. Marks of earlier runs are replaced. Nothing is
-// removed, so the result passes Validate(). Throws OptionError and Cancelled. Time: length of all
-// links in px times views, plus, per link, the square of the number of supporting views.
+// explain its edgels; because its edgels stand still; or because its views are too near to each
+// other to measure its depth. Links tell their evidence. Marks of earlier runs are replaced.
+// Nothing is removed, so the result passes Validate(). Throws OptionError and Cancelled. Time:
+// length of all links in px times views, plus, per link, the square of the number of supporting
+// views.
 BeliefResult JudgeLinks(const BeliefInput& input, const BeliefOptions& options,
                         const TopologyOptions& topology, const RunContext& context);
 

@@ -41,6 +41,11 @@ constexpr double kIsoluminantNoiseFactor = 3.5;
 constexpr double kIsoluminantMinStrength = 1.5;
 // Red and blue edgels within this of a similar main one show the same edge, dispersed by the lens.
 constexpr double kIsoluminantDistancePx = 3;
+// Beside a step that files show blurred in color (4:2:0), red and blue have slopes of the other
+// sense. They are this near, px of the photograph,
+constexpr double kEchoDistancePx = 4;
+// and so many times weaker. The step may have been found at the fine scale, where it is stronger.
+constexpr double kEchoRatio = 2;
 
 // Per pixel of the view, 1 where edgels may be: inside the margin and away from masked pixels.
 std::vector<unsigned char> UsablePixels(const Image& image, const EdgeDetectionOptions& options) {
@@ -98,6 +103,35 @@ double LowestMagnitude(const RefinementContext& context) {
   return kGridStrengthShare * context.ThresholdFor(lowest_noise);
 }
 
+// Edgels are told to this, far below what noise does to them; finer bits would only fill the cache.
+constexpr double kPlaceStepPx = 1.0 / 256;
+constexpr double kTangentStepRad = 1.0 / 512;  // pi is rounded down
+constexpr int kStrengthBits = 7;
+constexpr int kSigmaBits = 5;
+
+double RoundedTo(double value, double step) { return step * std::round(value / step); }
+
+float WithBits(float value, int num_bits) {
+  int exponent = 0;
+  const float mantissa = std::frexp(value, &exponent);
+  return std::ldexp(std::round(std::ldexp(mantissa, num_bits)), exponent - num_bits);
+}
+
+// Stays in its pixel: edgels of an edge through the corners of pixels would share one.
+double RoundedPlace(double coordinate_px) {
+  const double pixel = std::round(coordinate_px);
+  return pixel + std::clamp(RoundedTo(coordinate_px - pixel, kPlaceStepPx), -0.5,
+                            0.5 - kPlaceStepPx);
+}
+
+void RoundEdgel(Edgel* edgel) {
+  for (double& coordinate : edgel->position_px) coordinate = RoundedPlace(coordinate);
+  edgel->stored_px = edgel->position_px.cast<float>();
+  edgel->tangent_rad = RoundedTo(edgel->tangent_rad, kTangentStepRad);
+  edgel->strength = WithBits(edgel->strength, kStrengthBits);
+  edgel->position_sigma_px = WithBits(edgel->position_sigma_px, kSigmaBits);
+}
+
 // All refined edgels of a signal, unsorted and with duplicates. `skip(position, tangent)`, where
 // the tangent has any length, tells which grid candidates not to refine.
 template <typename Skip>
@@ -122,8 +156,10 @@ std::vector<RefinedEdgel> DetectInSignal(const EdgeSignal& signal, const Refinem
           context.ThresholdFor(context.NoiseOf(gradient.smooth[i], signal.SharesAt(i)));
       if (signal.magnitude[i] < kGridStrengthShare * threshold) continue;
       if (skip(Vector2d(x, y), Vector2d(-gradient.dy[i], gradient.dx[i]))) continue;
-      const auto refined = RefineEdgel(derivatives, x, y, context);
-      if (refined && InUsablePixel(usable, width, refined->edgel)) edgels.push_back(*refined);
+      auto refined = RefineEdgel(derivatives, x, y, context);
+      if (!refined) continue;
+      RoundEdgel(&refined->edgel);
+      if (InUsablePixel(usable, width, refined->edgel)) edgels.push_back(*refined);
     }
   }
   return edgels;
@@ -163,7 +199,7 @@ double AddMainEdgels(const Image& image, const std::vector<ChannelValues>& chann
 }
 
 // Edges of equal brightness: edgels of red and blue that no main edgel accounts for. The two
-// channels see the same edge up to 2 px apart, so the one that sees more claims its neighborhood.
+// channels see the same edge some px apart, so the one that sees more claims its neighborhood.
 void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& options,
                           const std::vector<unsigned char>& usable, EdgelRaster* raster) {
   const auto explained = [&](const Vector2d& position, const Vector2d& tangent) {
@@ -178,6 +214,10 @@ void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& option
     const RefinementContext context =
         ContextOf(signal, kIsoluminantNoiseFactor, kIsoluminantMinStrength);
     of_channel[k] = DetectInSignal(signal, context, usable, explained);
+    std::erase_if(of_channel[k], [&](const RefinedEdgel& refined) {
+      return raster->HasOppositeNear(refined.edgel, kEchoDistancePx * image.scale.mean(),
+                                     kSimilarDirectionCosine, kEchoRatio);
+    });
     for (const RefinedEdgel& refined : of_channel[k]) total_strength[k] += refined.edgel.strength;
   }
   const int first = total_strength[1] > total_strength[0] ? 1 : 0;

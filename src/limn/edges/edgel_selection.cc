@@ -66,7 +66,7 @@ bool EdgelRaster::AnyInSquare(const Vector2d& center, double radius_px, const Te
   for (int y = y0; y <= y1; ++y) {
     const int* row = index_of_pixel_.data() + static_cast<size_t>(y) * width_;
     for (int x = x0; x <= x1; ++x) {
-      if (row[x] >= 0 && test(places_[row[x]])) return true;
+      if (row[x] >= 0 && test(row[x])) return true;
     }
   }
   return false;
@@ -89,8 +89,8 @@ void EdgelRaster::TryHold(int index) {
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
   int& cell = index_of_pixel_[static_cast<size_t>(y) * width_ + x];
   if (cell >= 0) return;
-  const bool taken = AnyInSquare(position, kMinDistancePx, [&](const EdgelPlace& other) {
-    return (other.position - position).squaredNorm() < kMinDistancePx * kMinDistancePx;
+  const bool taken = AnyInSquare(position, kMinDistancePx, [&](int other) {
+    return (places_[other].position - position).squaredNorm() < kMinDistancePx * kMinDistancePx;
   });
   if (taken) return;
   cell = index;
@@ -116,13 +116,24 @@ bool EdgelRaster::HasParallelNear(const Vector2d& position, const Vector2d& dire
                                   double radius_px, double min_cosine) const {
   const double squared_radius = radius_px * radius_px;
   const double min_product = min_cosine * direction.norm();
-  const auto parallel_near = [&](const EdgelPlace& other) {
-    return (other.position - position).squaredNorm() <= squared_radius &&
-           std::abs(other.tangent.dot(direction)) >= min_product;
+  const auto parallel_near = [&](int other) {
+    return (places_[other].position - position).squaredNorm() <= squared_radius &&
+           std::abs(places_[other].tangent.dot(direction)) >= min_product;
   };
   // Mostly the nearest pixels tell.
   return AnyInSquare(position, std::min(1.0, radius_px), parallel_near) ||
          AnyInSquare(position, radius_px, parallel_near);
+}
+
+bool EdgelRaster::HasOppositeNear(const Edgel& edgel, double radius_px, double min_cosine,
+                                  double min_ratio) const {
+  const Vector2d opposite = -edgel.Tangent();
+  return AnyInSquare(edgel.position_px, radius_px, [&](int other) {
+    const auto& [position, tangent] = places_[other];
+    return (position - edgel.position_px).squaredNorm() <= radius_px * radius_px &&
+           tangent.dot(opposite) >= min_cosine &&
+           edgels_[other].edgel.strength >= min_ratio * edgel.strength;
+  });
 }
 
 UnionFind EdgelRaster::Runs() const {

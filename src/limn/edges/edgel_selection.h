@@ -30,6 +30,11 @@ class EdgelRaster {
   bool HasParallelNear(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
                        double radius_px, double min_cosine) const;
 
+  // Whether an edgel within `radius_px` of this one is at least `min_ratio` times as strong and has
+  // a tangent whose angle to the opposite of its own has a cosine of at least `min_cosine`.
+  bool HasOppositeNear(const Edgel& edgel, double radius_px, double min_cosine,
+                       double min_ratio) const;
+
   // Drops edgels less significant than `strong_ratio` in runs that extend over less than
   // `min_run_px`. A run is a set of edgels connected by steps of at most 2 px that follow the
   // tangent of either.
@@ -46,7 +51,7 @@ class EdgelRaster {
   void TryHold(int index);
   // Removes edgels without a pixel and sorts the others in row-major order.
   void Compact();
-  // Whether `test(place of an edgel)` holds for any in pixels overlapping the square of half-size
+  // Whether `test(index of an edgel)` holds for any in pixels overlapping the square of half-size
   // `radius_px`.
   template <typename Test>
   bool AnyInSquare(const Eigen::Vector2d& center, double radius_px, const Test& test) const;

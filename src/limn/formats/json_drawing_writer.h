@@ -28,8 +28,8 @@ namespace limn {
 //               "kind": "edge"|"paint"|"shadow"|"contour"|"rod"|"texture"|"unknown",
 //               "kind_confidence" where known, of a rod "rod_radius", half its thickness,
 //               "tentative": true where it is, then "doubt": "few views"|"chance"|"seen
-//               through"|"explained by others"| "outline of a rod"|"depth not measured" where
-//               known, after drawing_fuser also "dense":
+//               through"|"explained by others"| "outline of a rod"|"depth not measured"|"still in
+//               the images"|"short and unlikely" where known, after drawing_fuser also "dense":
 //               {"class": "surface"|"boundary"|"free"|"unknown", "added_share", "occluded_share",
 //               "behind_surface", "fold_deg" where known}, "primitive": {"type": "line", "start",
 //               "end"} or

@@ -10,8 +10,7 @@
 namespace limn {
 namespace {
 
-// Limits were chosen: algorithm/kinds.md#texture. Shorter curves are short, px.
-constexpr double kShortCurvePx = 75;
+// Limits were chosen: algorithm/kinds.md#texture.
 // What is looked at around the middle of a link, px. Texture fills areas; small parts, such as
 // backs of books, have long edges not far away.
 constexpr double kTextureReachPx = 120;
@@ -22,8 +21,6 @@ constexpr size_t kMinFreeEnds = 32;
 constexpr double kTextureStepPx = 4;
 
 bool IsBelieved(const DrawingLink& link) { return !link.tentative && link.IsAlongEdgels(); }
-
-bool IsShort(const DrawingLink& link) { return link.curve_px > 0 && link.curve_px < kShortCurvePx; }
 
 std::vector<Eigen::Vector3d> FreeEnds(const DrawingGraph& graph) {
   std::vector<int> degree(graph.nodes.size(), 0);
@@ -53,7 +50,7 @@ Places PlacesOf(const std::vector<View>& views, const DrawingGraph& graph) {
     const Polyline3d points = ResampleUniform(link.points_in_world, kTextureStepPx * footprint);
     for (size_t k = 0; k + 1 < points.size(); ++k) {
       places.positions.push_back(0.5 * (points[k] + points[k + 1]));
-      places.is_short.push_back(IsShort(link));
+      places.is_short.push_back(link.IsOfShortCurve());
     }
   }
   return places;
@@ -119,7 +116,7 @@ void MeasureCurves(const std::vector<View>& views, DrawingGraph* graph) {
 StageSummary MarkTexture(const std::vector<View>& views, DrawingGraph* graph) {
   const Surroundings surroundings(views, *graph);
   for (DrawingLink& link : graph->links) {
-    if (!IsBelieved(link) || !IsShort(link) || link.node0 == link.node1) continue;
+    if (!IsBelieved(link) || !link.IsOfShortCurve() || link.node0 == link.node1) continue;
     const Eigen::Vector3d& middle = link.points_in_world[link.points_in_world.size() / 2];
     const double reach = kTextureReachPx * LinkFootprint(link, views);
     const double short_share = surroundings.ShortShare(middle, reach);

@@ -15,7 +15,7 @@ constexpr NameTable<LinkKind, kNumLinkKinds> kLinkKinds = {
     {"unknown", "edge", "paint", "shadow", "contour", "rod", "texture"}};
 constexpr NameTable<LinkDoubt, kNumLinkDoubts> kLinkDoubts = {
     {"", "few views", "chance", "seen through", "explained by others", "outline of a rod",
-     "depth not measured"}};
+     "depth not measured", "still in the images", "short and unlikely"}};
 constexpr NameTable<DenseClass, 4> kDenseClasses = {{"unknown", "surface", "boundary", "free"}};
 
 class Violations {

@@ -91,11 +91,13 @@ enum class LinkDoubt : uint8_t {
   kExplained,    // better links explain its edgels
   kRodOutline,   // a rod stands for it; by itself it would be believed
   kDepth,        // its views are too near to each other to measure its depth
+  kStill,        // its edgels stand at the same pixels in images from different places
+  kShort,        // part of a short curve, and unlikely
 };
-constexpr int kNumLinkDoubts = 7;
+constexpr int kNumLinkDoubts = 9;
 
 // "", "few views", "chance", "seen through", "explained by others", "outline of a rod", "depth not
-// measured".
+// measured", "still in the images", "short and unlikely".
 const char* LinkDoubtName(LinkDoubt doubt);
 // Nothing if there is no such doubt.
 std::optional<LinkDoubt> LinkDoubtNamed(const std::string& name);
@@ -186,6 +188,8 @@ struct DrawingLink {
   NodeId NodeAt(int end) const { return end == 0 ? node0 : node1; }
   // An outline is elsewhere in each view, and a center line between the edgels.
   bool IsAlongEdgels() const { return kind != LinkKind::kContour && kind != LinkKind::kRod; }
+  // Grain, cloth, small print and accidents are parts of short curves (algorithm/kinds.md#texture).
+  bool IsOfShortCurve() const { return curve_px > 0 && curve_px < 75; }
 };
 
 // The 3D drawing: curves (links) that meet at nodes.

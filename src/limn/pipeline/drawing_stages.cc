@@ -4,6 +4,7 @@
 
 #include "limn/belief/confidence.h"
 #include "limn/belief/link_judge.h"
+#include "limn/belief/short_curves.h"
 #include "limn/belief/tri_angle.h"
 #include "limn/kinds/classify_kinds.h"
 #include "limn/kinds/smooth_outlines.h"
@@ -59,6 +60,7 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const PipelineOptions& options, const RunContext& context,
                            const StageObserver& on_stage_end) {
   if (options.IsPaper()) return graph;
+  BelieveShortCurves(&graph);
   MeasureTriAngles(views, context, &graph);
   TellConfidences(views, &graph);
   MeasureCurves(views, &graph);
@@ -71,6 +73,7 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
     graph = std::move(kinds.graph);
     on_stage_end(MarkTexture(views, &graph));
   }
+  on_stage_end(DoubtShortCurves(views, &graph));
   if (!options.regularize) return graph;
   RegularityResult regular =
       Regularize(graph, views, options.regularity, options.primitives, context);

@@ -45,8 +45,9 @@ DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions&
                             const RunContext& context, const StageObserver& on_stage_end);
 
 // Tells angles and confidences of the links, fits primitives to them, finds their kinds and texture
-// if images can be read, and makes them regular if the options say so (FitPrimitives,
-// ClassifyKinds, MarkTexture, Regularize). The paper's drawing stays as it is.
+// if images can be read, doubts short unlikely ones, and makes them regular if the options say so
+// (FitPrimitives, ClassifyKinds, MarkTexture, DoubtShortCurves, Regularize). The paper's drawing
+// stays as it is.
 DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const std::function<Image(ViewId)>& read_image,
                            const PipelineOptions& options, const RunContext& context,

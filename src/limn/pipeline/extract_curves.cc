@@ -15,7 +15,7 @@ namespace {
 
 // To be raised whenever edge maps or fragments of the same photograph change, so that kept ones are
 // made again.
-constexpr int kEdgesVersion = 3;
+constexpr int kEdgesVersion = 4;
 constexpr int kLinkingVersion = 2;
 
 // Of a file of edges: it is the photograph's.

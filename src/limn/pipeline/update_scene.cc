@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "limn/belief/confidence.h"
+#include "limn/belief/short_curves.h"
 #include "limn/belief/tri_angle.h"
 #include "limn/cache/curves_key.h"
 #include "limn/cache/view_sketch_file.h"
@@ -404,21 +405,28 @@ class SceneUpdater {
     return graph;
   }
 
-  // Primitives and kinds of the links that have none, since they are new or changed.
+  // Primitives and kinds of the links that have none, since they are new or changed, and
+  // confidences and doubt of all.
   DrawingGraph DescribeChanged(DrawingGraph graph) const {
     std::vector<uint8_t> changed;
     for (const DrawingLink& link : graph.links) changed.push_back(!link.primitive);
+    BelieveShortCurves(&graph);
     MeasureTriAngles(input_.views, context_, &graph);
     TellConfidences(input_.views, &graph);
     MeasureCurves(input_.views, &graph);
     graph = RefitPrimitives(graph, changed, input_.views, options_.primitives, context_);
-    if (!input_.images.read) return graph;
+    if (input_.images.read) TellKindsOfChanged(changed, &graph);
+    DoubtShortCurves(input_.views, &graph);
+    return graph;
+  }
+
+  void TellKindsOfChanged(const std::vector<uint8_t>& changed, DrawingGraph* graph) const {
     // Light, exposure and sharpness are measured on all links.
-    KindsResult kinds = ClassifyKinds({input_.views, input_.images.read, graph}, context_);
+    KindsResult kinds = ClassifyKinds({input_.views, input_.images.read, *graph}, context_);
     if (input_.images.release) input_.images.release();
-    for (size_t l = 0; l < graph.links.size(); ++l) {
+    for (size_t l = 0; l < graph->links.size(); ++l) {
       // What is texture or a cast shadow depends on other links, too.
-      DrawingLink& link = graph.links[l];
+      DrawingLink& link = graph->links[l];
       const DrawingLink& judged = kinds.graph.links[l];
       const bool depends = link.kind == LinkKind::kTexture || link.kind == LinkKind::kShadow ||
                            judged.kind == LinkKind::kShadow;
@@ -426,8 +434,7 @@ class SceneUpdater {
       link.kind = judged.kind;
       link.kind_confidence = judged.kind_confidence;
     }
-    MarkTexture(input_.views, &graph);
-    return graph;
+    MarkTexture(input_.views, graph);
   }
 
   StageSummary Summarize(const ViewChanges& changes, size_t num_places) const {

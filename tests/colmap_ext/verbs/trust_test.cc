@@ -118,5 +118,14 @@ TEST(SayTrust, DepthThatWasNotMeasuredComesWithTheRemedy) {
                     HasSubstr("Verdict: nonsense"), Not(HasSubstr("Usual causes"))));
 }
 
+TEST(SayTrust, WhatStandsStillComesWithTheRemedy) {
+  Trust trust = TrustIn(0.87, 0.3, 0);
+  trust.still = 0.09;
+  EXPECT_THAT(SaidOf(trust), Not(HasSubstr("WARNING")));
+  trust.still = 0.4;
+  EXPECT_THAT(SaidOf(trust), AllOf(HasSubstr("WARNING: 40 % of the edges stand at the same pixels"),
+                                   HasSubstr("--mask_path"), HasSubstr("drawn only where")));
+}
+
 }  // namespace
 }  // namespace limn::colmap_ext

@@ -70,6 +70,17 @@ TEST(TellConfidences, ByFreeEndsAndTheSureShareOfTheDrawing) {
   EXPECT_NEAR(Told(graph).links[2].confidence, ConfidenceOf({12, 8, 2, 60}, 2.0 / 3), 0.002);
 }
 
+TEST(TellConfidences, OfWhatStandsStillAndIsNotSure) {
+  DrawingGraph graph = PairAndOneMore();
+  for (DrawingLink& link : graph.links) {
+    link.tentative = true;
+    link.doubt = LinkDoubt::kStill;
+  }
+  EXPECT_NEAR(Told(graph).links[2].confidence, ConfidenceOf({12, 8, 2, 60}, 1), 1e-12);
+  for (DrawingLink& link : graph.links) link.evidence = 10;
+  EXPECT_NEAR(Told(graph).links[2].confidence, ConfidenceOf({10, 8, 2, 60}, 0) / 10, 1e-12);
+}
+
 TEST(TellConfidences, OfALoopWithoutFreeEnds) {
   DrawingGraph graph = GraphOf({{{0, 0, 0}, {0.2, 0, 0}, {0.1, 0.2, 0}, {0, 0, 0}}});
   graph.links[0].evidence = 12;

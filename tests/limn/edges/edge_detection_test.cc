@@ -445,6 +445,40 @@ TEST(DetectEdges, DispersedColorsMakeOneStrand) {
   }
 }
 
+// A step of luminance, and one of red against it that is blurred as if colors had been stored at a
+// fraction of the resolution: the slopes of red beside the step are no edges.
+TEST(DetectEdges, BlurredColorsMakeNoEchoes) {
+  constexpr double kBlurPx = 2;
+  Image image = StepImage(64, Vector2d(32.3, 32), Vector2d(1, 0), 60);
+  Image colors = ConstantImage(64, 64, {100, 100, 100});
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const double red = 35 * std::erf((x - 32.3) / (std::numbers::sqrt2 * kBlurPx));
+      const size_t pixel = 64 * y + x;
+      colors.data[3 * pixel] = image.data[pixel] - red;
+      colors.data[3 * pixel + 1] = image.data[pixel] + red / 2;
+      colors.data[3 * pixel + 2] = image.data[pixel];
+    }
+  }
+  const EdgeMap map = DetectEdges(colors, {});
+  EXPECT_GE(map.edgels.size(), 46u);
+  for (const Edgel& edgel : map.edgels) EXPECT_NEAR(edgel.position_px.x(), 32.3, 1);
+}
+
+// What is finer than noise would only fill the cache.
+TEST(DetectEdges, EdgelsAreToldInFewBits) {
+  Image image = ConstantImage(96, 80, {100});
+  Paint(Disc(Vector2d(40, 40), 21.3), {160}, &image);
+  AddNoise(5, 3, &image);
+  for (const Edgel& edgel : DetectEdges(image, {}).edgels) {
+    for (const double told :
+         {256 * edgel.position_px.x(), 256 * edgel.position_px.y(), 512 * edgel.tangent_rad}) {
+      EXPECT_EQ(told, std::round(told));
+    }
+    EXPECT_LE(std::abs(edgel.tangent_rad), M_PI);
+  }
+}
+
 TEST(DetectEdges, BadInput) {
   EdgeDetectionOptions options;
   options.sigma_px = 0.1;

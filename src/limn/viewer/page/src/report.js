@@ -84,6 +84,7 @@ function trust({ images, explained, agree_less: less, many_views: many, ...share
       'Length found whose depth was not measured',
       isKnown(shares.unmeasured) ? percent(shares.unmeasured) : null,
     ],
+    ['Edges that stand still in the images', isKnown(shares.still) ? percent(shares.still) : null],
   ]);
 }
 
