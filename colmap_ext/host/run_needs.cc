@@ -15,7 +15,7 @@ namespace {
 // side, the square root of its pixels.
 constexpr double kProgramBytes = 100e6;
 constexpr double kBytesPerSidePx = 25e3;
-constexpr double kCacheBytesPerSidePx = 2.8e3;
+constexpr double kCacheBytesPerSidePx = 1.6e3;
 // While edges are found, of what views need in the end, and per pixel of the largest one and
 // thread.
 constexpr double kShareWithEdges = 0.35;

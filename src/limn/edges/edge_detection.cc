@@ -120,8 +120,8 @@ float WithBits(float value, int num_bits) {
 // Stays in its pixel: edgels of an edge through the corners of pixels would share one.
 double RoundedPlace(double coordinate_px) {
   const double pixel = std::round(coordinate_px);
-  return pixel + std::clamp(RoundedTo(coordinate_px - pixel, kPlaceStepPx), -0.5,
-                            0.5 - kPlaceStepPx);
+  return pixel +
+         std::clamp(RoundedTo(coordinate_px - pixel, kPlaceStepPx), -0.5, 0.5 - kPlaceStepPx);
 }
 
 void RoundEdgel(Edgel* edgel) {
