@@ -471,7 +471,7 @@ TEST_F(SmallRun, HeldImagesKeepTheirPoses) {
   // The others go with them: the drawing fits what was written.
   const double residual_px = ResidualPx(Output("out", "drawing.json").string());
   RunIn(wrong, "drawing_refiner", "out");
-  EXPECT_NEAR(ResidualPx(Output("out", "drawing.json").string()), residual_px, 0.2 * residual_px);
+  EXPECT_NEAR(ResidualPx(Output("out", "drawing.json").string()), residual_px, 0.1 * residual_px);
 }
 
 TEST_F(SmallRun, WithoutRefinedCamerasNoModelIsLeft) {
