@@ -28,7 +28,7 @@ constexpr double kMuchLess = 1.0 / 3;
 // drawing is a cloud of spikes.
 constexpr double kMuchUnmeasured = 0.1;
 constexpr double kMostUnmeasured = 0.5;
-// Where cameras move, next to no edgels stand still.
+// Some edgels seem to stand still by chance; more than this is worth a warning.
 constexpr double kMuchStill = 0.1;
 // A drawing of which more than this is expected to be right is good, one with less than the other
 // is nonsense (algorithm/belief.md#verdict).

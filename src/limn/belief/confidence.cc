@@ -19,7 +19,7 @@ constexpr double kPerLogViews = 0.67;
 constexpr double kPerLogSure = 1.21;
 // More evidence than this makes nothing surer.
 constexpr double kMaxEvidence = 20;
-// Of links whose edgels stand still hardly one is right.
+// Of unsure links whose edgels stand still hardly one is right.
 constexpr double kStillFactor = 0.1;
 // Keeps the logarithm of the sure share finite.
 constexpr double kLeastSureShare = 0.02;

@@ -470,9 +470,14 @@ TEST(DetectEdges, EdgelsAreToldInFewBits) {
   Image image = ConstantImage(96, 80, {100});
   Paint(Disc(Vector2d(40, 40), 21.3), {160}, &image);
   AddNoise(5, 3, &image);
-  for (const Edgel& edgel : DetectEdges(image, {}).edgels) {
+  const EdgeMap map = DetectEdges(image, {});
+  ASSERT_GT(map.edgels.size(), 100u);
+  for (const Edgel& edgel : map.edgels) {
+    int exponent = 0;
     for (const double told :
-         {256 * edgel.position_px.x(), 256 * edgel.position_px.y(), 512 * edgel.tangent_rad}) {
+         {256 * edgel.position_px.x(), 256 * edgel.position_px.y(), 512 * edgel.tangent_rad,
+          128.0 * std::frexp(edgel.strength, &exponent),
+          32.0 * std::frexp(edgel.position_sigma_px, &exponent)}) {
       EXPECT_EQ(told, std::round(told));
     }
     EXPECT_LE(std::abs(edgel.tangent_rad), M_PI);
