@@ -52,7 +52,7 @@ THIRD_PARTY = {
     "jpeglib.h": ["colmap_ext/workspace/jpeg_check.cc"],
     "sqlite3.h": ["colmap_ext/workspace/pose_priors.cc"],
     "jerror.h": ["colmap_ext/workspace/jpeg_check.cc"],
-    "ceres/": ["src/limn/refinement/", "src/limn/primitives/", "src/limn/regularity/"],
+    "ceres/": ["src/limn/refinement/", "src/limn/primitives/", "src/limn/kinds/round_body_fit.cc", "src/limn/regularity/"],
     "flann/": ["src/limn/geometry/spatial_index.cc"],
     "tbb/": ["src/limn/util/parallel.cc"],
     "oneapi/tbb": ["src/limn/util/parallel.cc"],

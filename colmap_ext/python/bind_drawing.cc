@@ -183,6 +183,30 @@ void BindItems(py::module_* module, const char* name, const char* text,
       .def("__iter__", IterateSequence);
 }
 
+void BindRoundBody(py::module_* module) {
+  py::class_<RoundBody>(*module, "RoundBody",
+                        "A smooth body of which a link is an outline. Lengths are in the model's "
+                        "unit.")
+      .def_property_readonly(
+          "shape", [](const RoundBody& body) { return std::string(RoundShapeName(body.shape)); },
+          "'cylinder', 'cone' or 'sphere'.")
+      .def_property_readonly(
+          "start", [](const RoundBody& body) { return CopyOf(body.start); },
+          "3 point of the axis where outlines begin; of a sphere the center.")
+      .def_property_readonly(
+          "end", [](const RoundBody& body) { return CopyOf(body.end); },
+          "3 point of the axis where they end; of a sphere the center.")
+      .def_readonly("start_radius", &RoundBody::start_radius, "Radius at start.")
+      .def_readonly("end_radius", &RoundBody::end_radius, "Radius at end.")
+      .def_readonly("radius_sigma", &RoundBody::radius_sigma,
+                    "Standard deviation of the mean radius.")
+      .def_readonly("rms_px", &RoundBody::rms_px,
+                    "Distance of the edges in the images from its outlines, root mean square, px.")
+      .def("__repr__", [](const RoundBody& body) {
+        return "<limn.RoundBody " + std::string(RoundShapeName(body.shape)) + ">";
+      });
+}
+
 void BindPrimitive(py::module_* module) {
   py::class_<Primitive>(*module, "Primitive",
                         "The simplest curve that explains a link. What a kind of curve does not "
@@ -265,6 +289,13 @@ void BindLink(py::module_* module) {
       .def_property_readonly(
           "rod_radius", [](const Link& link) { return link.Get().rod_radius; },
           "Half the thickness of a rod, in the model's unit; 0 for other kinds.")
+      .def_property_readonly(
+          "body", [](const Link& link) { return link.Get().body; },
+          "Of a contour, the round body whose outline it is, if one fits: a RoundBody; else None.")
+      .def_property_readonly(
+          "depth_sigma", [](const Link& link) { return link.Get().depth_sigma; },
+          "Standard deviation in the direction that its images measure least, in the model's unit; "
+          "-1 if unknown.")
       .def_property_readonly(
           "tentative", [](const Link& link) { return link.Get().tentative; },
           "Whether there is little evidence for it.")
@@ -402,6 +433,7 @@ py::object Interop(const char* name) { return py::module_::import("limn._interop
 }  // namespace
 
 void BindDrawing(py::module_* module) {
+  BindRoundBody(module);
   BindPrimitive(module);
   BindLink(module);
   BindNode(module);

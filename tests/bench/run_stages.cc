@@ -96,7 +96,7 @@ void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_imag
   Measure(
       [&] {
         KindsResult result = marked;
-        MeasureTriAngles(scene.views, context, &result.graph);
+        MeasureDepth(scene.views, context, &result.graph);
         TellConfidences(scene.views, &result.graph);
         result.summary = DoubtShortCurves(scene.views, &result.graph);
         return result;

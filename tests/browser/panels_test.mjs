@@ -156,6 +156,28 @@ test('rods tell their radius', () =>
     assert.equal(await radiusOf(1), null);
   }));
 
+test('contours tell the body whose outline they are', () =>
+  withPage(async (page) => {
+    const bodyOf = async (link) => {
+      await page.evaluate((id) => window.limnViewer.pick(id), link);
+      const row = page.locator('#link-details tr').filter({ hasText: 'Outline of a' });
+      return (await row.count()) === 0 ? null : row.locator('td').textContent();
+    };
+    await page.evaluate(() => {
+      const { drawing } = window.limnViewer;
+      drawing.linkKind[0] = 4;
+      drawing.bodyShape[0] = 1;
+      drawing.bodyRadius[0] = 0.125;
+      drawing.bodyRadiusSigma[0] = 0.01;
+    });
+    assert.equal(await bodyOf(0), 'cylinder, radius 0.125 ± 0.01');
+    assert.equal(await bodyOf(1), null);
+    await page.evaluate(() => {
+      window.limnViewer.drawing.linkKind[0] = 1;
+    });
+    assert.equal(await bodyOf(0), null);
+  }));
+
 test('the report is shown, texts as texts', () =>
   withPage(async (page) => {
     await page.locator('#tab-report').click();

@@ -27,7 +27,7 @@ double ConfidenceOf(const LinkFacts& facts, double sure_share);
 
 // Sets the confidence of all links that have evidence but contours, which are another curve for
 // every view, and that of rods, which is the one of being a rod; others get none. It is a tenth for
-// unsure links whose edgels stand still. Needs angles (MeasureTriAngles). Linear time.
+// unsure links whose edgels stand still. Needs angles (MeasureDepth). Linear time.
 void TellConfidences(const std::vector<View>& views, DrawingGraph* graph);
 
 }  // namespace limn

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "limn/geometry/tangent_frame.h"
+#include "limn/model/footprint.h"
 #include "limn/util/angles.h"
 #include "limn/util/map_items.h"
 #include "limn/util/median.h"
@@ -27,13 +30,34 @@ double CosineBetween(const SightLine& a, const SightLine& b) {
   return std::max(std::abs(a.normal.dot(b.normal)), std::abs(a.ray.dot(b.ray)));
 }
 
-double SpreadAt(const Eigen::Vector3d& point, const Eigen::Vector3d& tangent,
-                const std::vector<Eigen::Vector3d>& centers) {
+struct DepthPlace {
+  Eigen::Vector3d position;
+  Eigen::Vector3d tangent;
+  double sigma;
+};
+
+// Evenly along a link.
+std::vector<DepthPlace> DepthPlaces(const DrawingLink& link) {
+  const auto& points = link.points_in_world;
+  const int last = link.size() - 1;
+  const int num_places = std::min(kMaxPoints, last);
+  std::vector<DepthPlace> places;
+  for (int i = 0; i < num_places; ++i) {
+    const int k = (2 * i + 1) * last / (2 * num_places);
+    const Eigen::Vector3d step = points[k + 1] - points[k];
+    if (!(step.norm() > 0)) continue;
+    places.push_back({0.5 * (points[k] + points[k + 1]), step.normalized(),
+                      0.5 * (link.sigma[k] + link.sigma[k + 1])});
+  }
+  return places;
+}
+
+double SpreadAt(const DepthPlace& place, const std::vector<Eigen::Vector3d>& centers) {
   std::vector<SightLine> sights;
   double least_cosine = 1;
   for (const Eigen::Vector3d& center : centers) {
-    const Eigen::Vector3d ray = (point - center).normalized();
-    const Eigen::Vector3d normal = ray.cross(tangent);
+    const Eigen::Vector3d ray = (place.position - center).normalized();
+    const Eigen::Vector3d normal = ray.cross(place.tangent);
     if (!(normal.norm() > std::sin(kMinAngleToCurve))) continue;
     sights.push_back({ray, normal.normalized()});
     for (const SightLine& other : sights) {
@@ -43,22 +67,35 @@ double SpreadAt(const Eigen::Vector3d& point, const Eigen::Vector3d& tangent,
   return std::acos(least_cosine);
 }
 
+// The standard deviation in the direction across the curve that is known least, over the root of
+// the mean of the variances of both.
+double ElongationAt(const DepthPlace& place, const DrawingLink& link,
+                    const std::vector<View>& views) {
+  const Eigen::Matrix<double, 3, 2> across = TangentFrame(place.tangent);
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  for (const ViewId v : link.supporting_views) {
+    const auto footprint = FootprintIn(views[v], place.position);
+    if (!footprint) continue;
+    const Eigen::Vector3d ray = place.position - views[v].CenterInWorld();
+    const Eigen::Vector3d normal = ray.cross(place.tangent);
+    if (!(normal.norm() > std::sin(kMinAngleToCurve) * ray.norm())) continue;
+    const Eigen::Vector2d seen = across.transpose() * normal.normalized() / *footprint;
+    information += seen * seen.transpose();
+  }
+  const double sum = information.trace();
+  if (!(sum > 0)) return 1;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(information, Eigen::EigenvaluesOnly);
+  return std::sqrt(2 * axes.eigenvalues()[1] / sum);
+}
+
 }  // namespace
 
 double TriAngleDeg(const DrawingLink& link, const std::vector<View>& views) {
   std::vector<Eigen::Vector3d> centers;
   for (const ViewId view : link.supporting_views) centers.push_back(views[view].CenterInWorld());
   if (centers.size() < 2) return -1;
-  const auto& points = link.points_in_world;
-  const int last = link.size() - 1;
-  const int num_points = std::min(kMaxPoints, last);
   std::vector<double> spreads;
-  for (int i = 0; i < num_points; ++i) {
-    const int k = (2 * i + 1) * last / (2 * num_points);
-    const Eigen::Vector3d step = points[k + 1] - points[k];
-    if (!(step.norm() > 0)) continue;
-    spreads.push_back(SpreadAt(0.5 * (points[k] + points[k + 1]), step.normalized(), centers));
-  }
+  for (const DepthPlace& place : DepthPlaces(link)) spreads.push_back(SpreadAt(place, centers));
   return spreads.empty() ? 0 : Degrees(Median(spreads));
 }
 
@@ -68,10 +105,21 @@ std::vector<double> TriAnglesDeg(const DrawingGraph& graph, const std::vector<Vi
                   [&](size_t l) { return TriAngleDeg(graph.links[l], views); });
 }
 
-void MeasureTriAngles(const std::vector<View>& views, const RunContext& context,
-                      DrawingGraph* graph) {
+double DepthSigma(const DrawingLink& link, const std::vector<View>& views) {
+  std::vector<double> sigmas;
+  for (const DepthPlace& place : DepthPlaces(link)) {
+    if (!std::isfinite(place.sigma)) continue;
+    sigmas.push_back(place.sigma * ElongationAt(place, link, views));
+  }
+  return sigmas.empty() ? -1 : Median(std::move(sigmas));
+}
+
+void MeasureDepth(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph) {
   const std::vector<double> angles_deg = TriAnglesDeg(*graph, views, context);
-  for (size_t l = 0; l < graph->links.size(); ++l) graph->links[l].tri_angle_deg = angles_deg[l];
+  for (size_t l = 0; l < graph->links.size(); ++l) {
+    graph->links[l].tri_angle_deg = angles_deg[l];
+    graph->links[l].depth_sigma = DepthSigma(graph->links[l], views);
+  }
 }
 
 }  // namespace limn

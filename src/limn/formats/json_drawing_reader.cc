@@ -133,6 +133,26 @@ LinkPrimitive ToPrimitive(const Json& json) {
   return primitive;
 }
 
+RoundBody ToRoundBody(const Json& json) {
+  RoundBody body;
+  const auto name = json.at("shape").get<std::string>();
+  const std::optional<RoundShape> shape = RoundShapeNamed(name);
+  if (!shape) throw InputError("unknown shape of a body \"" + name.substr(0, 40) + "\"");
+  body.shape = *shape;
+  if (body.shape == RoundShape::kSphere) {
+    body.start = body.end = ToPoint(json.at("center"));
+    body.start_radius = body.end_radius = json.at("radius").get<double>();
+  } else {
+    body.start = ToPoint(json.at("axis").at(0));
+    body.end = ToPoint(json.at("axis").at(1));
+    body.start_radius = json.at("radii").at(0).get<double>();
+    body.end_radius = json.at("radii").at(1).get<double>();
+  }
+  body.radius_sigma = json.at("radius_sigma").get<double>();
+  body.rms_px = json.at("rms_px").get<double>();
+  return body;
+}
+
 LinkRegularity ToLinkRegularity(const Json& json) {
   const auto index = [&](const char* name) {
     return json.contains(name) ? IntFromJson(json.at(name)) : -1;
@@ -190,12 +210,14 @@ DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_i
   link.closed = json.at("closed").get<bool>();
   link.residual_px = json.at("residual_px").get<double>();
   link.tri_angle_deg = json.value("tri_angle_deg", -1.0);
+  link.depth_sigma = json.value("depth_sigma", -1.0);
   link.curve_px = json.value("curve_px", 0.0);
   if (json.contains("evidence")) link.evidence = json.at("evidence").get<double>();
   link.confidence = json.value("confidence", -1.0);
   link.kind = ToKind(json.value("kind", "unknown"));
   link.kind_confidence = json.value("kind_confidence", 0.0);
   link.rod_radius = json.value("rod_radius", 0.0);
+  if (json.contains("body")) link.body = ToRoundBody(json.at("body"));
   link.tentative = json.value("tentative", false);
   link.doubt = ToDoubt(json.value("doubt", ""));
   if (json.contains("dense")) link.dense = ToDense(json.at("dense"));

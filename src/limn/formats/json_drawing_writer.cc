@@ -80,6 +80,20 @@ Json ToJson(const LinkPrimitive& primitive) {
   return json;
 }
 
+Json ToJson(const RoundBody& body) {
+  Json json = {{"shape", RoundShapeName(body.shape)}};
+  if (body.shape == RoundShape::kSphere) {
+    json["center"] = ToJson(body.start);
+    json["radius"] = body.start_radius;
+  } else {
+    json["axis"] = Json::array({ToJson(body.start), ToJson(body.end)});
+    json["radii"] = {body.start_radius, body.end_radius};
+  }
+  json["radius_sigma"] = body.radius_sigma;
+  json["rms_px"] = body.rms_px;
+  return json;
+}
+
 Json ToJson(const LinkRegularity& regularity) {
   Json json = Json::object();
   if (regularity.direction >= 0) json["direction"] = regularity.direction;
@@ -124,12 +138,14 @@ Json ToJson(const DrawingLink& link, size_t id, LinkId curve,
                {"length", Length(link.points_in_world)},
                {"residual_px", link.residual_px}};
   if (link.tri_angle_deg >= 0) json["tri_angle_deg"] = link.tri_angle_deg;
+  if (link.depth_sigma >= 0) json["depth_sigma"] = link.depth_sigma;
   if (link.curve_px > 0) json["curve_px"] = link.curve_px;
   if (link.evidence) json["evidence"] = *link.evidence;
   if (link.confidence >= 0) json["confidence"] = link.confidence;
   json["kind"] = LinkKindName(link.kind);
   if (link.kind != LinkKind::kUnknown) json["kind_confidence"] = link.kind_confidence;
   if (link.kind == LinkKind::kRod) json["rod_radius"] = link.rod_radius;
+  if (link.body) json["body"] = ToJson(*link.body);
   if (link.tentative) json["tentative"] = true;
   if (link.doubt != LinkDoubt::kNone) json["doubt"] = LinkDoubtName(link.doubt);
   if (link.dense) json["dense"] = ToJson(*link.dense);

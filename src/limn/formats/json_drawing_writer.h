@@ -22,14 +22,18 @@ namespace limn {
 //               "incident": [[link, end], ...], "continuations": [[[link, end], [link, end]],
 //               ...]}],
 //    "links": [{"id", "curve" (CurvesOf), "node0", "node1", "closed", "length", "residual_px",
-//               "tri_angle_deg" where known (TriAngleDeg), "curve_px" where known (MeasureCurves),
+//               "tri_angle_deg" (TriAngleDeg), "depth_sigma" (DepthSigma) and "curve_px"
+//               (MeasureCurves) where known,
 //               "evidence" against chance, natural logarithm, and "confidence", the probability
 //               that its curve exists (TellConfidences), where known,
 //               "kind": "edge"|"paint"|"shadow"|"contour"|"rod"|"texture"|"unknown",
 //               "kind_confidence" where known, of a rod "rod_radius", half its thickness,
-//               "tentative": true where it is, then "doubt": "few views"|"chance"|"seen
-//               through"|"explained by others"| "outline of a rod"|"depth not measured"|"still in
-//               the images"|"short and unlikely" where known, after drawing_fuser also "dense":
+//               of contours of round bodies "body": {"shape": "cylinder"|"cone", "axis": [from,
+//               to], "radii": [at from, at to], ...} or {"shape": "sphere", "center", "radius",
+//               ...}, each with "radius_sigma", "rms_px", "tentative": true where it is, then
+//               "doubt": "few views"|"chance"|"seen through"|"explained by others"| "outline of a
+//               rod"|"depth not measured"|"still in the images"|"short and unlikely" where known,
+//               after drawing_fuser also "dense":
 //               {"class": "surface"|"boundary"|"free"|"unknown", "added_share", "occluded_share",
 //               "behind_surface", "fold_deg" where known}, "primitive": {"type": "line", "start",
 //               "end"} or

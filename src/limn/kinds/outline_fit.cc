@@ -120,8 +120,30 @@ class OutlineFitter {
     return best;
   }
 
+  std::vector<OutlineSight> Sights(const BodyBeside& body) const {
+    std::vector<OutlineSight> sights;
+    for (size_t k = 0; k < probes_.size(); ++k) {
+      for (const ViewId v : probes_[k].views) {
+        const auto match = MatchIn(v, k, body, kShownGate);
+        if (!match) continue;
+        const View& view = images_.views[v];
+        const Eigen::Vector3d ray =
+            view.camera.RayFromPixel(images_.EdgelOf({v, match->edgel}).position_px);
+        OutlineSight& sight = sights.emplace_back();
+        sight.view = v;
+        sight.center = view.CenterInWorld();
+        sight.ray = view.cam_from_world.rotation.conjugate() * ray.normalized();
+        sight.px_per_unit = match->residual.gradient.norm();
+        sight.axis_point = body.axis[k];
+        sight.radius = std::abs(body.radius);
+      }
+    }
+    return sights;
+  }
+
  private:
   struct Match {
+    EdgelId edgel;
     EdgelResidual residual;
     Eigen::Vector3d normal;
   };
@@ -223,7 +245,7 @@ class OutlineFitter {
     const auto edgel = images_.edgels[v]->edgels.BestAlong(sight->position_px, bright_left, gate);
     if (!edgel) return std::nullopt;
     const auto residual = images_.Residual({v, edgel->edgel}, outline->position);
-    return residual ? std::optional(Match{*residual, outline->normal}) : std::nullopt;
+    return residual ? std::optional(Match{edgel->edgel, *residual, outline->normal}) : std::nullopt;
   }
 
   // A robust Gauss-Newton step; the axis points are eliminated for that of the radius.
@@ -345,6 +367,11 @@ class OutlineFitter {
 OutlineEvidence CompareWithBodies(const TopologyInput& images, const ViewFinder& finder,
                                   const DrawingLink& link) {
   return OutlineFitter(images, finder, link).Compare();
+}
+
+std::vector<OutlineSight> SightsOfOutline(const TopologyInput& images, const ViewFinder& finder,
+                                          const DrawingLink& link, const BodyBeside& body) {
+  return OutlineFitter(images, finder, link).Sights(body);
 }
 
 }  // namespace limn

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "limn/kinds/round_body_fit.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view_finder.h"
 #include "limn/topology/topology_input.h"
@@ -40,5 +41,9 @@ struct OutlineEvidence {
 // views, of which at most 40 are used.
 OutlineEvidence CompareWithBodies(const TopologyInput& images, const ViewFinder& finder,
                                   const DrawingLink& link);
+
+// The edgels along the outlines of a body beside a link, in the views that it was fitted to.
+std::vector<OutlineSight> SightsOfOutline(const TopologyInput& images, const ViewFinder& finder,
+                                          const DrawingLink& link, const BodyBeside& body);
 
 }  // namespace limn

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,7 +13,9 @@
 #include "limn/kinds/outline_fit.h"
 #include "limn/support/view_edgels.h"
 #include "limn/util/logistic.h"
+#include "limn/util/map_items.h"
 #include "limn/util/median.h"
+#include "limn/util/union_find.h"
 
 namespace limn {
 namespace {
@@ -112,6 +116,26 @@ std::vector<uint8_t> AreOutlines(const std::vector<OutlineEvidence>& links) {
   return are_outlines;
 }
 
+// Outlines that agree on a body, directly or through others, in the order of their first.
+std::vector<std::vector<size_t>> OutlinesOfBodies(const std::vector<OutlineEvidence>& links,
+                                                  const std::vector<uint8_t>& are_outlines) {
+  std::vector<size_t> outlines;
+  for (size_t l = 0; l < links.size(); ++l) {
+    if (are_outlines[l]) outlines.push_back(l);
+  }
+  UnionFind sets(outlines.size());
+  for (size_t i = 0; i < outlines.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      if (AgreeOnBody(links[outlines[i]], links[outlines[j]])) sets.Union(i, j);
+    }
+  }
+  std::map<size_t, std::vector<size_t>> by_root;
+  for (size_t i = 0; i < outlines.size(); ++i) by_root[sets.Find(i)].push_back(outlines[i]);
+  std::vector<std::vector<size_t>> bodies;
+  for (auto& [root, members] : by_root) bodies.push_back(std::move(members));
+  return bodies;
+}
+
 }  // namespace
 
 OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& context) {
@@ -132,9 +156,24 @@ OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& 
     links[l].kind = LinkKind::kContour;
     links[l].kind_confidence = Logistic(evidence[l].log_ratio);
   }
+  const std::vector<std::vector<size_t>> outlines = OutlinesOfBodies(evidence, are_outlines);
+  const auto bodies = MapItems(context, "round bodies", outlines.size(), [&](size_t b) {
+    std::vector<OutlineSight> sights;
+    for (const size_t l : outlines[b]) {
+      const auto of_link = SightsOfOutline(images, finder, links[l], evidence[l].body);
+      sights.insert(sights.end(), of_link.begin(), of_link.end());
+    }
+    return FitRoundBody(sights);
+  });
+  for (size_t b = 0; b < outlines.size(); ++b) {
+    for (const size_t l : outlines[b]) links[l].body = bodies[b];
+  }
   result.summary.stage = "outlines of smooth bodies";
   result.summary.in = {{"links", std::ssize(links)}};
-  result.summary.kept = {{"links: outlines", std::ranges::count(are_outlines, 1)}};
+  result.summary.kept = {{"links: outlines", std::ranges::count(are_outlines, 1)},
+                         {"round bodies", std::ranges::count_if(bodies, [](const auto& body) {
+                            return body.has_value();
+                          })}};
   return result;
 }
 
@@ -142,6 +181,7 @@ DrawingGraph WithoutOutlines(DrawingGraph graph) {
   for (DrawingLink& link : graph.links) {
     if (link.kind != LinkKind::kContour) continue;
     link.kind = LinkKind::kUnknown;
+    link.body.reset();
     link.kind_confidence = 0;
   }
   return graph;

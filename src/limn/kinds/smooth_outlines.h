@@ -22,10 +22,12 @@ struct OutlinesResult {
 // makes them contours (ours; algorithm/kinds.md#smooth-bodies). A body, round across the link, must
 // explain the edgels of all views better than an edge in space, and outlines on two other links
 // must agree on it, unless it is much better alone. Tentative links and rods stay. Contours of an
-// earlier run are judged anew. Throws Cancelled. Time: that of CompareWithBodies for each link.
+// earlier run are judged anew. Where outlines that agree are those of a sphere, cylinder or cone,
+// they have it as their body (FitRoundBody). Throws Cancelled. Time: that of CompareWithBodies for
+// each link.
 OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& context);
 
-// The drawing without contours: their kind is unknown.
+// The drawing without contours: their kind is unknown, without a body.
 DrawingGraph WithoutOutlines(DrawingGraph graph);
 
 }  // namespace limn

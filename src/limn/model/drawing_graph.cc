@@ -73,12 +73,20 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
   if (!(link.tri_angle_deg == -1 || (link.tri_angle_deg >= 0 && link.tri_angle_deg <= 90))) {
     violations->Add("link", id, "triangulation angle not from 0 to 90");
   }
+  if (!(link.depth_sigma == -1 || link.depth_sigma >= 0) || !std::isfinite(link.depth_sigma)) {
+    violations->Add("link", id, "standard deviation of its depth below 0 or not finite");
+  }
   if (!(link.curve_px >= 0) || !std::isfinite(link.curve_px)) {
     violations->Add("link", id, "length of its curve below 0 or not finite");
   }
   const bool has_radius = link.rod_radius > 0 && std::isfinite(link.rod_radius);
   if (link.kind == LinkKind::kRod ? !has_radius : link.rod_radius != 0) {
     violations->Add("link", id, "a rod needs a radius, and nothing else has one");
+  }
+  if (link.body) {
+    const std::string broken =
+        link.kind == LinkKind::kContour ? Validate(*link.body) : "a body, but no contour";
+    if (!broken.empty()) violations->Add("link", id, broken);
   }
   if (!link.tentative && link.doubt != LinkDoubt::kNone) {
     violations->Add("link", id, "doubted, but not tentative");

@@ -13,6 +13,7 @@
 #include "limn/model/dimension.h"
 #include "limn/model/faces.h"
 #include "limn/model/regularities.h"
+#include "limn/model/round_body.h"
 
 namespace limn {
 
@@ -143,6 +144,10 @@ struct LinkVertex {
   std::vector<SketchSample> samples;
 };
 
+// Grain, cloth, small print and accidents are parts of shorter curves
+// (algorithm/kinds.md#texture), px.
+constexpr double kShortCurvePx = 75;
+
 struct DrawingLink {
   // First and last point are the positions of node0 and node1.
   std::vector<Eigen::Vector3d> points_in_world;
@@ -162,6 +167,9 @@ struct DrawingLink {
   double residual_px = 0;
   // The angle by which its views measure its depth (TriAngleDeg); -1: unknown.
   double tri_angle_deg = -1;
+  // Standard deviation in the direction that its views measure least, which is that of their depth
+  // (DepthSigma), world units; -1: unknown.
+  double depth_sigma = -1;
   // Of the images, against chance, natural logarithm (JudgeLinks). Of links that were judged.
   std::optional<double> evidence;
   // Probability that its curve exists, 0 to 1, believed or not (TellConfidences); -1: unknown.
@@ -173,6 +181,8 @@ struct DrawingLink {
   double kind_confidence = 0;  // 0 to 1; 0 if unknown
   // Of a rod, half its thickness, world units; 0 for other kinds.
   double rod_radius = 0;
+  // Of some contours, the body whose outline they are. Links of one body have equal ones.
+  std::optional<RoundBody> body = std::nullopt;
   // Too little evidence (limn/belief/): left out of exports unless requested.
   bool tentative = false;
   // kNone unless tentative.
@@ -188,8 +198,7 @@ struct DrawingLink {
   NodeId NodeAt(int end) const { return end == 0 ? node0 : node1; }
   // An outline is elsewhere in each view, and a center line between the edgels.
   bool IsAlongEdgels() const { return kind != LinkKind::kContour && kind != LinkKind::kRod; }
-  // Grain, cloth, small print and accidents are parts of short curves (algorithm/kinds.md#texture).
-  bool IsOfShortCurve() const { return curve_px > 0 && curve_px < 75; }
+  bool IsOfShortCurve() const { return curve_px > 0 && curve_px < kShortCurvePx; }
 };
 
 // The 3D drawing: curves (links) that meet at nodes.
@@ -206,8 +215,8 @@ struct DrawingGraph {
 // Descriptions of violated invariants, empty if there are none: ids in range, incidence symmetric,
 // link ends at their nodes' positions, all numbers finite, links of at least two points, no link of
 // zero length, one sigma (and one vertex, if there are any) per point, radii of rods
-// and of nothing else, primitives that ValidateShape accepts, regularities and faces that are in
-// order, finite dimensions, confidences from 0 to 1, lengths of curves not
+// and of nothing else, bodies of contours only, primitives that ValidateShape accepts, regularities
+// and faces that are in order, finite dimensions, confidences from 0 to 1, lengths of curves not
 // below 0, doubts of tentative links only, junction <=> degree >= 3, loop anchors with exactly the
 // two ends of one closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);

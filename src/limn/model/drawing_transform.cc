@@ -14,19 +14,19 @@ Eigen::Matrix3d FromRows(const Eigen::RowVector3d& x, const Eigen::RowVector3d& 
 
 DrawingGraph Transformed(DrawingGraph graph, double scale, const Eigen::Matrix3d& rotation,
                          const Eigen::Vector3d& translation) {
-  const auto move = [&](Eigen::Vector3d* point) {
-    *point = (scale * (rotation * *point) + translation).eval();
-  };
+  const Similarity3d similarity{scale, rotation, translation};
+  const auto move = [&](Eigen::Vector3d* point) { *point = similarity * *point; };
   for (DrawingNode& node : graph.nodes) move(&node.position_in_world);
   for (DrawingLink& link : graph.links) {
     for (Eigen::Vector3d& point : link.points_in_world) move(&point);
     for (double& sigma : link.sigma) sigma *= scale;
+    if (link.depth_sigma > 0) link.depth_sigma *= scale;
     link.rod_radius *= scale;
+    if (link.body) link.body = Transformed(*link.body, similarity);
     if (link.primitive) {
       link.primitive->shape = Transformed(link.primitive->shape, scale, rotation, translation);
     }
   }
-  const Similarity3d similarity{scale, rotation, translation};
   graph.regularities = Transformed(std::move(graph.regularities), similarity);
   for (DrawingFace& face : graph.faces) face = Transformed(std::move(face), similarity);
   for (DrawingDimension& dimension : graph.dimensions) {

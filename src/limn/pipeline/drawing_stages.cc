@@ -55,15 +55,19 @@ DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions&
   return std::move(outlines.graph);
 }
 
+void MeasureLinks(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph) {
+  MeasureDepth(views, context, graph);
+  TellConfidences(views, graph);
+  MeasureCurves(views, graph);
+}
+
 DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const std::function<Image(ViewId)>& read_image,
                            const PipelineOptions& options, const RunContext& context,
                            const StageObserver& on_stage_end) {
   if (options.IsPaper()) return graph;
   BelieveShortCurves(&graph);
-  MeasureTriAngles(views, context, &graph);
-  TellConfidences(views, &graph);
-  MeasureCurves(views, &graph);
+  MeasureLinks(views, context, &graph);
   PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
   on_stage_end(primitives.summary);
   graph = std::move(primitives.graph);

@@ -44,7 +44,11 @@ DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
 DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                             const RunContext& context, const StageObserver& on_stage_end);
 
-// Tells angles and confidences of the links, fits primitives to them, finds their kinds and texture
+// Tells angles, standard deviations of the depth, confidences and lengths of curves of all links
+// (MeasureDepth, TellConfidences, MeasureCurves).
+void MeasureLinks(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph);
+
+// Measures the links, fits primitives to them, finds their kinds and texture
 // if images can be read, doubts short unlikely ones, and makes them regular if the options say so
 // (FitPrimitives, ClassifyKinds, MarkTexture, DoubtShortCurves, Regularize). The paper's drawing
 // stays as it is.

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "limn/belief/confidence.h"
-#include "limn/belief/tri_angle.h"
 #include "limn/kinds/classify_kinds.h"
 #include "limn/kinds/texture.h"
 #include "limn/model/footprint.h"
+#include "limn/pipeline/drawing_stages.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
 #include "limn/util/number_text.h"
@@ -73,9 +72,7 @@ StageSummary RefitEdited(const CurvesScene& scene, const std::function<Image(Vie
   WarnOfGaps(refit.shown, edited);
   edited->graph =
       RefitPrimitives(refit.graph, edited->touched, scene.views, options.primitives, context);
-  MeasureTriAngles(scene.views, context, &edited->graph);
-  TellConfidences(scene.views, &edited->graph);
-  MeasureCurves(scene.views, &edited->graph);
+  MeasureLinks(scene.views, context, &edited->graph);
   TellKinds(scene.views, read_image, context, edited);
   SnapDimensions(scene.views, edited);
   StageSummary summary;

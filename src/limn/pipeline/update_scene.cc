@@ -7,9 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "limn/belief/confidence.h"
 #include "limn/belief/short_curves.h"
-#include "limn/belief/tri_angle.h"
 #include "limn/cache/curves_key.h"
 #include "limn/cache/view_sketch_file.h"
 #include "limn/geometry/polyline.h"
@@ -411,9 +409,7 @@ class SceneUpdater {
     std::vector<uint8_t> changed;
     for (const DrawingLink& link : graph.links) changed.push_back(!link.primitive);
     BelieveShortCurves(&graph);
-    MeasureTriAngles(input_.views, context_, &graph);
-    TellConfidences(input_.views, &graph);
-    MeasureCurves(input_.views, &graph);
+    MeasureLinks(input_.views, context_, &graph);
     graph = RefitPrimitives(graph, changed, input_.views, options_.primitives, context_);
     if (input_.images.read) TellKindsOfChanged(changed, &graph);
     DoubtShortCurves(input_.views, &graph);

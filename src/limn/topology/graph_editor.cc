@@ -61,6 +61,7 @@ void ForgetShape(DrawingLink* link) {
   link->regularity.reset();
   link->dense.reset();
   link->tri_angle_deg = -1;
+  link->depth_sigma = -1;
   link->curve_px = 0;
 }
 
@@ -77,12 +78,14 @@ void CombineKinds(const DrawingLink& other, DrawingLink* link) {
   if (other_vote > vote) {
     link->kind = other.kind;
     link->rod_radius = other.rod_radius;
+    link->body = other.body;
   }
   link->kind_confidence =
       std::min(1.0, (is_same ? vote + other_vote : std::abs(vote - other_vote)) / whole);
   if (link->kind == LinkKind::kRod && !are_rods) link->kind_confidence = 0;
   if (link->kind_confidence == 0) link->kind = LinkKind::kUnknown;
   if (link->kind != LinkKind::kRod) link->rod_radius = 0;
+  if (link->kind != LinkKind::kContour) link->body.reset();
   link->evidence = std::max(link->evidence, other.evidence);  // the unknown is least
   const bool is_known = link->confidence >= 0 && other.confidence >= 0;
   link->confidence =
@@ -373,6 +376,7 @@ void GraphEditor::SetKind(LinkId id, LinkKind kind) {
   graph_->links[id].kind = kind;
   graph_->links[id].kind_confidence = kind == LinkKind::kUnknown ? 0 : 1;
   if (kind != LinkKind::kRod) graph_->links[id].rod_radius = 0;
+  if (kind != LinkKind::kContour) graph_->links[id].body.reset();
 }
 
 void GraphEditor::MakeFirm(LinkId id) {

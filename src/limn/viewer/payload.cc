@@ -158,7 +158,8 @@ void AddDense(const ViewerScene& scene, PayloadArrays* arrays) {
 void AddKinds(const ViewerScene& scene, PayloadArrays* arrays) {
   std::vector<uint8_t> kind, tentative;
   std::vector<float> kind_confidence, confidence, curve_px;
-  std::vector<double> rod_radius;
+  std::vector<double> rod_radius, body_radius, body_radius_sigma;
+  std::vector<uint8_t> body_shape;  // 0: none
   for (const DrawingLink& link : scene.graph.links) {
     kind.push_back(static_cast<uint8_t>(link.kind));
     kind_confidence.push_back(static_cast<float>(link.kind_confidence));
@@ -166,6 +167,9 @@ void AddKinds(const ViewerScene& scene, PayloadArrays* arrays) {
     curve_px.push_back(static_cast<float>(link.curve_px));
     tentative.push_back(link.tentative);
     rod_radius.push_back(link.rod_radius);
+    body_shape.push_back(link.body ? 1 + static_cast<uint8_t>(link.body->shape) : 0);
+    body_radius.push_back(link.body ? link.body->MeanRadius() : 0);
+    body_radius_sigma.push_back(link.body ? link.body->radius_sigma : 0);
   }
   arrays->Add("linkKind", kind);
   arrays->Add("kindConfidence", kind_confidence);
@@ -173,6 +177,9 @@ void AddKinds(const ViewerScene& scene, PayloadArrays* arrays) {
   arrays->Add("linkCurvePx", curve_px);
   arrays->Add("linkTentative", tentative);
   arrays->Add("rodRadius", rod_radius);
+  arrays->Add("bodyShape", body_shape);
+  arrays->Add("bodyRadius", body_radius);
+  arrays->Add("bodyRadiusSigma", body_radius_sigma);
 }
 
 void AddNodes(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {

@@ -195,6 +195,23 @@ class Drawings(unittest.TestCase):
         self.assertNotIn("rod", [link.kind for link in outlines])
         self.assertEqual({link.doubt for link in outlines if link.tentative}, {"outline of a rod"})
 
+    def test_contours_tell_round_bodies(self):
+        path = self.output / "bodies.json"
+        self.drawing.save(path)
+        stored = json.loads(path.read_text())
+        body = {"shape": "cylinder", "axis": [[0, 0, 1], [0, 0, 3]], "radii": [0.5, 0.5],
+                "radius_sigma": 0.125, "rms_px": 0.25}
+        stored["links"][0].update(kind="contour", kind_confidence=0.5, body=body, depth_sigma=0.5)
+        stored["links"][0].pop("rod_radius", None)
+        path.write_text(json.dumps(stored))
+        contour, other = limn.read_drawing(path).links[:2]
+        self.assertEqual((contour.body.shape, contour.body.start_radius, contour.body.end_radius),
+                         ("cylinder", 0.5, 0.5))
+        self.assertEqual((contour.body.start.tolist(), contour.body.end.tolist()), ([0, 0, 1], [0, 0, 3]))
+        self.assertEqual((contour.body.radius_sigma, contour.body.rms_px), (0.125, 0.25))
+        self.assertEqual(contour.depth_sigma, 0.5)
+        self.assertIsNone(other.body)
+
     def test_detail_is_chosen_by_name(self):
         path = self.output / "texture.json"
         self.drawing.save(path)

@@ -1,6 +1,7 @@
 #include "limn/belief/tri_angle.h"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ double AngleOfLine(const std::vector<Eigen::Vector3d>& centers) {
   std::iota(all.begin(), all.end(), 0);
   DrawingGraph graph;
   DrawLink({{0, -1, 0}, {0, 0, 0}, {0, 1, 0}}, all, &graph);
-  MeasureTriAngles(views, {}, &graph);
+  MeasureDepth(views, {}, &graph);
   EXPECT_EQ(graph.links[0].tri_angle_deg, TriAngleDeg(graph.links[0], views));
   return graph.links[0].tri_angle_deg;
 }
@@ -54,6 +55,31 @@ TEST(TriAngleTest, ACurveThatPointsAtTheCamerasTellsNoMoreThanRays) {
   const Eigen::Vector3d center(0, -5 * std::cos(tilt), -5 * std::sin(tilt));
   const Eigen::Vector3d moved = center + Eigen::Vector3d(5 * std::tan(2 * kDeg), 0, 0);
   EXPECT_NEAR(AngleOfLine({center, moved}), 2, 0.25);
+}
+
+// Of a line along y through the origin with a standard deviation of 1 in the mean of both
+// directions.
+double DepthSigmaOfLine(double half_angle_deg) {
+  const double x = 5 * std::tan(half_angle_deg * kDeg);
+  const std::vector<View> views = {LookAt({x, 0, -5}, {0, 0, 0}), LookAt({-x, 0, -5}, {0, 0, 0})};
+  DrawingGraph graph;
+  DrawLink({{0, -1, 0}, {0, 0, 0}, {0, 1, 0}}, {0, 1}, &graph);
+  graph.links[0].sigma = {1, 1, 1};
+  return DepthSigma(graph.links[0], views);
+}
+
+// The variances along and across the rays are as cot^2 of half the angle between them.
+TEST(DepthSigmaTest, ASmallAngleBetweenViewsIsAllInDepth) {
+  const double ratio = std::pow(std::tan(10 * kDeg), -2);
+  EXPECT_NEAR(DepthSigmaOfLine(10), std::sqrt(2 * ratio / (1 + ratio)), 0.01);
+  EXPECT_NEAR(DepthSigmaOfLine(45), 1, 0.01);
+}
+
+TEST(DepthSigmaTest, UnknownWithoutSigmas) {
+  DrawingGraph graph;
+  DrawLink({{0, -1, 0}, {0, 1, 0}}, {0}, &graph);
+  graph.links[0].sigma.assign(2, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(DepthSigma(graph.links[0], {LookAt({0, 0, -5}, {0, 0, 0})}), -1);
 }
 
 TEST(TriAngleTest, OneViewIsUnknown) { EXPECT_EQ(AngleOfLine({{0, 0, -5}}), -1); }

@@ -300,6 +300,31 @@ TEST(WriteDrawing, JsonKeepsRods) {
   EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", text)), IoError);
 }
 
+TEST(WriteDrawing, JsonKeepsBodiesAndDepth) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("d.json");
+  DrawingGraph graph = SmallDrawing();
+  const RoundBody cone = {RoundShape::kCone, {1, 2, 3}, {1, 2, 5}, 0.5, 0.25, 0.0625, 0.375};
+  const RoundBody ball = {RoundShape::kSphere, {1, 2, 3}, {1, 2, 3}, 0.5, 0.5, 0.0625, 0.375};
+  graph.links[0].body = cone;
+  graph.links[1].body = ball;
+  for (const int id : {0, 1}) {
+    graph.links[id].kind = LinkKind::kContour;
+    graph.links[id].kind_confidence = 0.5;
+  }
+  graph.links[0].depth_sigma = 0.125;
+  WriteDrawing(path, graph, SmallMetadata());
+  const DrawingGraph read = ReadDrawingJson(path).graph;
+  EXPECT_EQ(read.links[0].body, cone);
+  EXPECT_EQ(read.links[1].body, ball);
+  EXPECT_EQ(read.links[2].body, std::nullopt);
+  EXPECT_EQ(read.links[0].depth_sigma, 0.125);
+  EXPECT_EQ(read.links[1].depth_sigma, -1);
+  std::string text = TemporaryFolder::Read(path);
+  text.replace(text.find("\"cone\""), 6, "\"cube\"");
+  EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", text)), IoError);
+}
+
 // PLY has the radius per edge, OBJ as a comment, GraphML as an attribute, DXF as extended data.
 TEST(WriteDrawing, OtherFormatsTellTheRadiiOfRods) {
   const TemporaryFolder folder;

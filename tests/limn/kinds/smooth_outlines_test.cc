@@ -107,6 +107,24 @@ TEST(SmoothOutlinesTest, RadiusAndAxisOfTheCylinderAreFound) {
   }
 }
 
+TEST(SmoothOutlinesTest, OutlinesTellTheCylinder) {
+  const auto views = RingOfViews();
+  const auto curves = CylinderIn(views, kBodyRadius);
+  const OutlinesResult result =
+      FindSmoothOutlines({{views, curves}, WaveringLines(views, kBodyRadius)}, {});
+  ASSERT_EQ(result.graph.links.size(), 4u);
+  for (const DrawingLink& link : result.graph.links) {
+    ASSERT_TRUE(link.body);
+    EXPECT_EQ(link.body, result.graph.links[0].body);
+    EXPECT_EQ(link.body->shape, RoundShape::kCylinder);
+    EXPECT_NEAR(link.body->start_radius, kBodyRadius, 0.02 * kBodyRadius);
+    EXPECT_LT(link.body->start.head<2>().norm(), kPx);
+    EXPECT_LT(link.body->end.head<2>().norm(), kPx);
+    EXPECT_GT(std::abs(link.body->end.z() - link.body->start.z()), 1.8 * kHalfHeight);
+  }
+  EXPECT_FALSE(WithoutOutlines(result.graph).links[0].body);
+}
+
 TEST(SmoothOutlinesTest, EdgesOfASquareBarAreEdges) {
   const auto views = RingOfViews();
   std::vector<testing::SceneCurve> edges;

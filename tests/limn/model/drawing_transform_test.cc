@@ -56,6 +56,20 @@ TEST(TransformedDrawing, MovesGraphAndPrimitivesAlike) {
   }
 }
 
+TEST(TransformedDrawing, BodiesMoveAlong) {
+  DrawingGraph graph = PrimitiveDrawing();
+  graph.links[0].kind = LinkKind::kContour;
+  graph.links[0].kind_confidence = 1;
+  graph.links[0].body = {RoundShape::kCone, {1, 0, 0}, {1, 0, 2}, 0.5, 0.25, 0.125, 0.75};
+  graph.links[0].depth_sigma = 0.5;
+  const DrawingGraph moved = Transformed(graph, 2, ZUpFrom(SignedAxis::kX), {0, 0, 10});
+  EXPECT_THAT(Validate(moved), ::testing::IsEmpty());
+  const RoundBody expected = {RoundShape::kCone, {0, 0, 12}, {0, 4, 12}, 1, 0.5, 0.25, 0.75};
+  EXPECT_EQ(moved.links[0].body, expected);
+  EXPECT_EQ(moved.links[0].depth_sigma, 1);
+  EXPECT_EQ(moved.links[1].depth_sigma, -1);
+}
+
 TEST(TransformedDrawing, RegularitiesMoveAlong) {
   DrawingGraph graph;
   const Eigen::Vector3d on_plane(1, 2, 3), normal = Eigen::Vector3d(1, 1, 0).normalized();

@@ -770,6 +770,18 @@ TEST(JoinTest, ARodRemainsOneOnlyWithAnother) {
   }
 }
 
+TEST(SetKindTest, OnlyContoursHaveABody) {
+  DrawingGraph graph = GraphWithVertices({Row(0, 5)});
+  graph.links[0].kind = LinkKind::kContour;
+  graph.links[0].kind_confidence = 0.5;
+  graph.links[0].body = {RoundShape::kCylinder, {0, 0, 0}, {0, 0, 1}, 1, 1, 0.1, 0.1};
+  GraphEditor(&graph).SetKind(0, LinkKind::kContour);
+  EXPECT_TRUE(graph.links[0].body);
+  GraphEditor(&graph).SetKind(0, LinkKind::kEdge);
+  EXPECT_FALSE(graph.links[0].body);
+  ExpectValid(graph);
+}
+
 TEST(SplitTest, PartsAreOfTheKindOfTheWhole) {
   DrawingGraph graph = GraphWithVertices({Row(0, 5)});
   graph.links[0].kind = LinkKind::kContour;

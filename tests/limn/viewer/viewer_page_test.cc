@@ -101,12 +101,17 @@ TEST(ViewerPayload, TellsKinds) {
   scene.graph.links[2].tentative = true;
   scene.graph.links[3].kind = LinkKind::kRod;
   scene.graph.links[3].rod_radius = 0.375;
+  scene.graph.links[0].kind = LinkKind::kContour;
+  scene.graph.links[0].body = {RoundShape::kSphere, {0, 0, 0}, {0, 0, 0}, 1.5, 1.5, 0.25, 0.5};
   scene.graph.links[2].curve_px = 12.5;
   scene.graph.links[2].confidence = 0.25;
   scene.detail = Detail::kCoarse;
   const Payload payload(EncodePayload(scene));
-  EXPECT_EQ(payload.Array<uint8_t>("linkKind"), (std::vector<uint8_t>{0, 3, 0, 5}));
+  EXPECT_EQ(payload.Array<uint8_t>("linkKind"), (std::vector<uint8_t>{4, 3, 0, 5}));
   EXPECT_EQ(payload.Array<double>("rodRadius"), (std::vector<double>{0, 0, 0, 0.375}));
+  EXPECT_EQ(payload.Array<uint8_t>("bodyShape"), (std::vector<uint8_t>{3, 0, 0, 0}));
+  EXPECT_EQ(payload.Array<double>("bodyRadius"), (std::vector<double>{1.5, 0, 0, 0}));
+  EXPECT_EQ(payload.Array<double>("bodyRadiusSigma"), (std::vector<double>{0.25, 0, 0, 0}));
   EXPECT_EQ(payload.Array<float>("kindConfidence")[1], 0.5f);
   EXPECT_EQ(payload.Array<uint8_t>("linkTentative"), (std::vector<uint8_t>{0, 0, 1, 0}));
   EXPECT_EQ(payload.Array<float>("linkCurvePx"), (std::vector<float>{0, 0, 12.5, 0}));

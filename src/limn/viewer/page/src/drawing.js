@@ -5,6 +5,7 @@ import { Box3, Vector3 } from 'three';
 import { storedDimensions } from './dimensions.js';
 
 export const PRIMITIVES = ['none', 'line', 'arc', 'spline', 'circle'];
+export const BODY_SHAPES = ['none', 'cylinder', 'cone', 'sphere'];
 export const DENSE_CLASSES = ['unknown', 'surface', 'boundary', 'free'];
 // Of edges, as LinkKind; tentative links are a category of their own in legends.
 export const LINK_KINDS = [
@@ -286,6 +287,9 @@ export class Drawing {
       'linkCurvePx',
       'linkTentative',
       'rodRadius',
+      'bodyShape',
+      'bodyRadius',
+      'bodyRadiusSigma',
     ]) {
       more[name] = [this[name][like]];
     }

@@ -1,7 +1,7 @@
 // The tab "Links": search, the list of links and all about the picked one.
 
 import { facts, make } from './dom.js';
-import { DENSE_CLASSES, LINK_KINDS, NODE_KINDS, PRIMITIVES, ROD } from './drawing.js';
+import { BODY_SHAPES, DENSE_CLASSES, LINK_KINDS, NODE_KINDS, PRIMITIVES, ROD } from './drawing.js';
 import { count, degrees, number, percent } from './format.js';
 
 const PAGE = 100;
@@ -52,6 +52,13 @@ function nodeText(drawing, node) {
   return `${node}, ${NODE_KINDS[drawing.nodeKind[node]]}`;
 }
 
+function bodyText(drawing, link) {
+  const shape = drawing.bodyShape[link];
+  if (shape === 0 || LINK_KINDS[drawing.linkKind[link]] !== 'contour') return null;
+  const radius = number(drawing.bodyRadius[link]);
+  return `${BODY_SHAPES[shape]}, radius ${radius} ± ${number(drawing.bodyRadiusSigma[link], 2)}`;
+}
+
 function linkFacts(drawing, link) {
   const added = drawing.hasClasses ? percent(drawing.denseAdded[link]) : null;
   return facts([
@@ -63,6 +70,7 @@ function linkFacts(drawing, link) {
     ['Probability that it exists', existsText(drawing, link)],
     ['Kind of edge', drawing.hasKinds ? kindText(drawing, link) : null],
     [`Radius of the rod, ${drawing.unit}`, rodText(drawing, link)],
+    ['Outline of a', bodyText(drawing, link)],
     ['Class', classText(drawing, link)],
     ['No dense point near', added],
     ['Component', String(drawing.component[link])],

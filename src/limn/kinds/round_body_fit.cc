@@ -1,0 +1,310 @@
+#include "limn/kinds/round_body_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <ceres/ceres.h>
+
+#include "limn/geometry/tangent_frame.h"
+#include "limn/util/median.h"
+
+namespace limn {
+namespace {
+
+constexpr int kMaxBodyIterations = 50;
+constexpr double kBodyRobustPx = 0.5;
+constexpr size_t kMinBodyViews = 4;
+// Farther from the body, an edgel is of something else; this share must be nearer.
+constexpr double kOffBodyPx = 1.5;
+constexpr double kMinOnBody = 0.8;
+constexpr double kMaxRadiusError = 0.05;
+// Of edgels, by calibration and sampling; many of one view are off alike, so that they tell no more
+// than a few do.
+constexpr double kAlikeOfViewPx = 0.4;
+// A shape with more unknowns must lower the mean squared misfit to this share, with what edgels
+// never fit better than added, px^2.
+constexpr double kMuchBetter = 0.8;
+constexpr double kLeastMisfit = 0.01;
+constexpr double kMinAxisPx = 3;
+
+template <typename T>
+using BodyVector = Eigen::Matrix<T, 3, 1>;
+
+// Where the unknowns of a body begin: a part of its axis, and two directions across it.
+struct AxisFrame {
+  Eigen::Vector3d start;
+  Eigen::Vector3d end;
+  Eigen::Matrix<double, 3, 2> across;
+};
+
+// A line of sight touches a body if its least distance from the surface is 0. The radius is linear
+// along the axis, r0 + slope * h. Along the line, the squared distance from the axis is a s^2 +
+// d^2; the least value of sqrt(a s^2 + d^2) - slope * (h + s * along) has a closed form.
+template <typename T>
+T GapOfCone(const OutlineSight& sight, const BodyVector<T>& start, const BodyVector<T>& end,
+            const T& start_radius, const T& end_radius) {
+  const BodyVector<T> axis = end - start;
+  const T length = axis.norm();
+  const BodyVector<T> unit = axis / length;
+  const BodyVector<T> ray = sight.ray.cast<T>();
+  const BodyVector<T> from_start = sight.center.cast<T>() - start;
+  const T along = ray.dot(unit);
+  const BodyVector<T> ray_across = ray - along * unit;
+  const BodyVector<T> across = from_start - from_start.dot(unit) * unit;
+  const T a = ray_across.squaredNorm();
+  const T nearest = -ray_across.dot(across) / a;
+  const T distance = (across + nearest * ray_across).norm();
+  const T slope = (end_radius - start_radius) / length;
+  const T radius = start_radius + slope * (from_start.dot(unit) + nearest * along);
+  using std::max;
+  const T lean = max(T(1e-6), T(1) - slope * slope * along * along / a);
+  return (distance * sqrt(lean) - radius) / sqrt(T(1) + slope * slope);
+}
+
+template <typename T>
+T GapOfSphere(const OutlineSight& sight, const BodyVector<T>& center, const T& radius) {
+  const BodyVector<T> from = center - sight.center.cast<T>();
+  const BodyVector<T> ray = sight.ray.cast<T>();
+  return (from - from.dot(ray) * ray).norm() - radius;
+}
+
+struct SphereCost {
+  const OutlineSight& sight;
+
+  template <typename T>
+  bool operator()(const T* unknowns, T* residual) const {
+    const BodyVector<T> center(unknowns[0], unknowns[1], unknowns[2]);
+    *residual = T(sight.px_per_unit) * GapOfSphere<T>(sight, center, unknowns[3]);
+    return true;
+  }
+};
+
+// Unknowns: motions of start and end across the axis, then one radius or two.
+template <typename T>
+T GapOfAxis(const OutlineSight& sight, const AxisFrame& frame, const T* unknowns,
+            const T& start_radius, const T& end_radius) {
+  const Eigen::Matrix<T, 3, 2> across = frame.across.cast<T>();
+  const BodyVector<T> start =
+      frame.start.cast<T>() + across * Eigen::Matrix<T, 2, 1>(unknowns[0], unknowns[1]);
+  const BodyVector<T> end =
+      frame.end.cast<T>() + across * Eigen::Matrix<T, 2, 1>(unknowns[2], unknowns[3]);
+  return GapOfCone<T>(sight, start, end, start_radius, end_radius);
+}
+
+struct CylinderCost {
+  const OutlineSight& sight;
+  const AxisFrame& frame;
+
+  template <typename T>
+  bool operator()(const T* unknowns, T* residual) const {
+    *residual =
+        T(sight.px_per_unit) * GapOfAxis<T>(sight, frame, unknowns, unknowns[4], unknowns[4]);
+    return true;
+  }
+};
+
+struct ConeCost {
+  const OutlineSight& sight;
+  const AxisFrame& frame;
+
+  template <typename T>
+  bool operator()(const T* unknowns, T* residual) const {
+    *residual =
+        T(sight.px_per_unit) * GapOfAxis<T>(sight, frame, unknowns, unknowns[4], unknowns[5]);
+    return true;
+  }
+};
+
+struct FittedBody {
+  RoundBody body;
+  double mean_squared = 0;  // of misfits up to kOffBodyPx
+  double on_body = 0;       // share of the sights
+};
+
+// Minimizes the misfits of all sights over the unknowns. The inverse of the information that they
+// give, or nothing if they do not determine them.
+template <int kUnknowns, typename MakeCost>
+std::optional<Eigen::Matrix<double, kUnknowns, kUnknowns>> Solve(
+    const std::vector<OutlineSight>& sights, const MakeCost& make_cost,
+    std::array<double, kUnknowns>* unknowns) {
+  using Information = Eigen::Matrix<double, kUnknowns, kUnknowns>;
+  ceres::Problem problem;
+  for (const OutlineSight& sight : sights) {
+    problem.AddResidualBlock(make_cost(sight), new ceres::HuberLoss(kBodyRobustPx),
+                             unknowns->data());
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = kMaxBodyIterations;
+  options.num_threads = 1;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  ceres::CRSMatrix jacobian;
+  problem.Evaluate({}, nullptr, nullptr, nullptr, &jacobian);
+  Information information = Information::Zero();
+  for (int row = 0; row < jacobian.num_rows; ++row) {
+    const Eigen::Map<const Eigen::Matrix<double, kUnknowns, 1>> gradient(
+        &jacobian.values[jacobian.rows[row]]);
+    information += gradient * gradient.transpose();
+  }
+  const Eigen::LDLT<Information> factors(information);
+  if (!(factors.rcond() > 1e-14)) return std::nullopt;
+  return Information(factors.solve(Information::Identity()));
+}
+
+double MisfitPx(const OutlineSight& sight, const RoundBody& body) {
+  const double gap =
+      body.shape == RoundShape::kSphere
+          ? GapOfSphere<double>(sight, body.start, body.start_radius)
+          : GapOfCone<double>(sight, body.start, body.end, body.start_radius, body.end_radius);
+  return gap * sight.px_per_unit;
+}
+
+// Fills in what the sights say about the body. `radius_variance` is that of independent edgels of 1
+// px.
+FittedBody Measure(const std::vector<OutlineSight>& sights, RoundBody body,
+                   double radius_variance) {
+  FittedBody fitted;
+  double sum = 0, sum_on = 0;
+  int num_on = 0;
+  std::set<ViewId> views;
+  for (const OutlineSight& sight : sights) {
+    const double squared = std::pow(MisfitPx(sight, body), 2);
+    views.insert(sight.view);
+    sum += std::min(squared, kOffBodyPx * kOffBodyPx);
+    if (!(squared < kOffBodyPx * kOffBodyPx)) continue;
+    sum_on += squared;
+    ++num_on;
+  }
+  const auto count = static_cast<double>(sights.size());
+  body.rms_px = num_on > 0 ? std::sqrt(sum_on / num_on) : kOffBodyPx;
+  const double per_view = count / static_cast<double>(views.size());
+  const double variance = body.rms_px * body.rms_px + per_view * kAlikeOfViewPx * kAlikeOfViewPx;
+  body.radius_sigma = std::sqrt(std::max(0.0, radius_variance) * variance);
+  fitted.body = body;
+  fitted.mean_squared = sum / count;
+  fitted.on_body = num_on / count;
+  return fitted;
+}
+
+std::optional<FittedBody> FitSphere(const std::vector<OutlineSight>& sights,
+                                    const Eigen::Vector3d& center, double radius) {
+  std::array<double, 4> unknowns = {center.x(), center.y(), center.z(), radius};
+  const auto covariance = Solve<4>(
+      sights,
+      [](const OutlineSight& sight) {
+        return new ceres::AutoDiffCostFunction<SphereCost, 1, 4>(new SphereCost{sight});
+      },
+      &unknowns);
+  if (!covariance) return std::nullopt;
+  RoundBody body;
+  body.shape = RoundShape::kSphere;
+  body.start = body.end = Eigen::Vector3d(unknowns[0], unknowns[1], unknowns[2]);
+  body.start_radius = body.end_radius = unknowns[3];
+  return Measure(sights, body, (*covariance)(3, 3));
+}
+
+template <size_t kUnknowns>
+RoundBody BodyOnAxis(RoundShape shape, const AxisFrame& frame,
+                     const std::array<double, kUnknowns>& unknowns) {
+  RoundBody body;
+  body.shape = shape;
+  body.start = frame.start + frame.across * Eigen::Vector2d(unknowns[0], unknowns[1]);
+  body.end = frame.end + frame.across * Eigen::Vector2d(unknowns[2], unknowns[3]);
+  body.start_radius = unknowns[4];
+  body.end_radius = unknowns.back();
+  return body;
+}
+
+std::optional<FittedBody> FitCylinder(const std::vector<OutlineSight>& sights,
+                                      const AxisFrame& frame, double radius) {
+  std::array<double, 5> unknowns = {0, 0, 0, 0, radius};
+  const auto covariance = Solve<5>(
+      sights,
+      [&](const OutlineSight& sight) {
+        return new ceres::AutoDiffCostFunction<CylinderCost, 1, 5>(new CylinderCost{sight, frame});
+      },
+      &unknowns);
+  if (!covariance) return std::nullopt;
+  return Measure(sights, BodyOnAxis(RoundShape::kCylinder, frame, unknowns), (*covariance)(4, 4));
+}
+
+std::optional<FittedBody> FitCone(const std::vector<OutlineSight>& sights, const AxisFrame& frame,
+                                  double radius) {
+  std::array<double, 6> unknowns = {0, 0, 0, 0, radius, radius};
+  const auto covariance = Solve<6>(
+      sights,
+      [&](const OutlineSight& sight) {
+        return new ceres::AutoDiffCostFunction<ConeCost, 1, 6>(new ConeCost{sight, frame});
+      },
+      &unknowns);
+  if (!covariance) return std::nullopt;
+  const double of_mean = covariance->template bottomRightCorner<2, 2>().sum() / 4;
+  return Measure(sights, BodyOnAxis(RoundShape::kCone, frame, unknowns), of_mean);
+}
+
+bool IsCredible(const FittedBody& fitted) {
+  const RoundBody& body = fitted.body;
+  return Validate(body).empty() && fitted.on_body >= kMinOnBody &&
+         body.radius_sigma < kMaxRadiusError * body.MeanRadius();
+}
+
+// The middle of the axis points, and their main direction times how far they reach along it.
+AxisFrame FrameOf(const std::vector<OutlineSight>& sights) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const OutlineSight& sight : sights) middle += sight.axis_point;
+  middle /= static_cast<double>(sights.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const OutlineSight& sight : sights) {
+    const Eigen::Vector3d offset = sight.axis_point - middle;
+    spread += offset * offset.transpose();
+  }
+  const Eigen::Vector3d unit =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+  double least = 0, most = 0;
+  for (const OutlineSight& sight : sights) {
+    const double along = unit.dot(sight.axis_point - middle);
+    least = std::min(least, along);
+    most = std::max(most, along);
+  }
+  return {middle + least * unit, middle + most * unit, TangentFrame(unit)};
+}
+
+}  // namespace
+
+std::optional<RoundBody> FitRoundBody(const std::vector<OutlineSight>& sights) {
+  std::set<ViewId> views;
+  std::vector<double> radii, scales;
+  for (const OutlineSight& sight : sights) {
+    views.insert(sight.view);
+    radii.push_back(sight.radius);
+    scales.push_back(sight.px_per_unit);
+  }
+  if (views.size() < kMinBodyViews) return std::nullopt;
+  const double radius = Median(std::move(radii));
+  const double px_per_unit = Median(std::move(scales));
+  const AxisFrame frame = FrameOf(sights);
+  std::vector<std::optional<FittedBody>> fits = {
+      FitSphere(sights, 0.5 * (frame.start + frame.end), radius)};
+  if ((frame.end - frame.start).norm() * px_per_unit > kMinAxisPx) {
+    fits.push_back(FitCylinder(sights, frame, radius));
+    fits.push_back(FitCone(sights, frame, radius));
+  }
+  std::optional<FittedBody> best;
+  for (const std::optional<FittedBody>& fit : fits) {
+    if (!fit || !IsCredible(*fit)) continue;
+    if (!best ||
+        fit->mean_squared + kLeastMisfit < kMuchBetter * (best->mean_squared + kLeastMisfit)) {
+      best = fit;
+    }
+  }
+  if (!best) return std::nullopt;
+  return best->body;
+}
+
+}  // namespace limn
