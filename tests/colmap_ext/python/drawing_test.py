@@ -204,7 +204,8 @@ class Drawings(unittest.TestCase):
         stored["links"][0].update(kind="contour", kind_confidence=0.5, body=body, depth_sigma=0.5)
         stored["links"][0].pop("rod_radius", None)
         path.write_text(json.dumps(stored))
-        contour, other = limn.read_drawing(path).links[:2]
+        drawing = limn.read_drawing(path)
+        contour, other = drawing.links[0], drawing.links[1]
         self.assertEqual((contour.body.shape, contour.body.start_radius, contour.body.end_radius),
                          ("cylinder", 0.5, 0.5))
         self.assertEqual((contour.body.start.tolist(), contour.body.end.tolist()), ([0, 0, 1], [0, 0, 3]))
