@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "limn/belief/tri_angle.h"
 #include "limn/cameras/camera_scene.h"
 #include "limn/pipeline/update_scene.h"
 #include "limn/refinement/fit_other_cameras.h"
@@ -147,6 +148,7 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
                         on_stage_end);
   if (cameras && cameras->uncertainty && !fits_given) {
     AddShareOfCameras(*cameras->uncertainty, seen.views, alone, &graph);
+    MeasureDepth(seen.views, alone, &graph);
   }
   if (input.images.release) input.images.release();
   auto keep = RecordWriter(seen, curves, drawn.sketch.plans, graph, options, context);
