@@ -13,7 +13,7 @@
 namespace limn {
 namespace {
 
-constexpr int kChordsPerBin = 16;
+constexpr int kChordsPerBin = 48;
 // Spans that are looked at together.
 constexpr int kBatch = 8;
 // Spans looked at before chords are fetched; a multiple of the former.

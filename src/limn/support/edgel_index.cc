@@ -1,11 +1,15 @@
 #include "limn/support/edgel_index.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <Eigen/LU>
+
+#include "limn/util/float8.h"
 
 namespace limn {
 namespace {
@@ -15,6 +19,10 @@ constexpr double kCellPx = 4;
 constexpr int kTileCells = 8;
 // Squared distances along an edgel count by this: of edgels, those beside a place show it best.
 constexpr double kAlongCost = 0.25;
+// Entries that are looked at together.
+constexpr int kBatch = 8;
+// Entries looked at before one is judged; a multiple of the former.
+constexpr int kMaxInGate = 64;
 
 double VirtualPerStored(const Edgel& edgel) {
   if (edgel.stored_from_virtual == Eigen::Matrix2f::Identity()) return 1;
@@ -23,6 +31,50 @@ double VirtualPerStored(const Edgel& edgel) {
 }
 
 }  // namespace
+
+// What is asked of the entries.
+struct EdgelIndex::GateQuery {
+  Eigen::Vector2f position_px;  // from the origin
+  Eigen::Vector2f direction;
+  float normal_px;
+  float along_px;
+  float max_sine;
+
+  // Writes the indices of the entries from `begin` to `end` that are within the gate; returns how
+  // many.
+  LIMN_INLINE_KERNEL int Find(const Entries& entries, int begin, int end, int* found) const {
+    int num_found = 0;
+    for (int i = begin; i < end; i += kBatch) {
+      Float8 x, y, across_x, across_y, along_x, along_y, tangent_x, tangent_y;
+      Load8(entries.x_px.data() + i, &x);
+      Load8(entries.y_px.data() + i, &y);
+      Load8(entries.across_x.data() + i, &across_x);
+      Load8(entries.across_y.data() + i, &across_y);
+      Load8(entries.along_x.data() + i, &along_x);
+      Load8(entries.along_y.data() + i, &along_y);
+      Load8(entries.tangent_x.data() + i, &tangent_x);
+      Load8(entries.tangent_y.data() + i, &tangent_y);
+      x = position_px.x() - x;
+      y = position_px.y() - y;
+      const Float8 normal = across_x * x + across_y * y;
+      const Float8 along = along_x * x + along_y * y;
+      const Float8 sine = tangent_x * direction.y() - tangent_y * direction.x();
+      const Mask8 is_in = (normal <= normal_px) & (normal >= -normal_px) & (along <= along_px) &
+                          (along >= -along_px) & (sine <= max_sine) & (sine >= -max_sine);
+      unsigned bits = Bits8(is_in);
+      const int left = end - i;
+      if (left < kBatch) bits &= (1u << left) - 1;
+      for (; bits != 0; bits &= bits - 1) found[num_found++] = i + std::countr_zero(bits);
+    }
+    return num_found;
+  }
+  LIMN_FOR_AVX2 int FindByAvx2(const Entries& entries, int begin, int end, int* found) const {
+    return Find(entries, begin, end, found);
+  }
+  int FindBySse2(const Entries& entries, int begin, int end, int* found) const {
+    return Find(entries, begin, end, found);
+  }
+};
 
 EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable)
     : grid_(std::make_shared<const Grid>(edge_map, usable)) {}
@@ -54,7 +106,12 @@ EdgelIndex::Grid::Grid(const EdgeMap& edge_map, const std::vector<bool>& usable)
     if (usable[id]) ++cell_begin[CellOf(edge_map.edgels[id]) + 1];
   }
   for (size_t i = 1; i < cell_begin.size(); ++i) cell_begin[i] += cell_begin[i - 1];
-  entries.resize(cell_begin.back());
+  const size_t size = cell_begin.back();
+  for (auto* part : {&entries.x_px, &entries.y_px, &entries.across_x, &entries.across_y,
+                     &entries.along_x, &entries.along_y, &entries.tangent_x, &entries.tangent_y}) {
+    part->resize(size + kBatch, 0);
+  }
+  entries.id.resize(size);
   std::vector<int> next(cell_begin.begin(), cell_begin.end() - 1);
   for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
     if (!usable[id]) continue;
@@ -63,10 +120,19 @@ EdgelIndex::Grid::Grid(const EdgeMap& edge_map, const std::vector<bool>& usable)
     const Eigen::Vector2d in_virtual = edgel.Tangent();
     const Eigen::Vector2d tangent = (stored_from_virtual * in_virtual).normalized();
     const Eigen::Vector2d normal(tangent.y(), -tangent.x());
-    entries[next[CellOf(edgel)]++] = {edgel.position_px,
-                                      (stored_from_virtual.transpose() * normal).cast<float>(),
-                                      (stored_from_virtual.transpose() * tangent).cast<float>(),
-                                      in_virtual.cast<float>(), static_cast<EdgelId>(id)};
+    const Eigen::Vector2f position = (edgel.position_px - origin).cast<float>();
+    const Eigen::Vector2f across = (stored_from_virtual.transpose() * normal).cast<float>();
+    const Eigen::Vector2f along = (stored_from_virtual.transpose() * tangent).cast<float>();
+    const int at = next[CellOf(edgel)]++;
+    entries.x_px[at] = position.x();
+    entries.y_px[at] = position.y();
+    entries.across_x[at] = across.x();
+    entries.across_y[at] = across.y();
+    entries.along_x[at] = along.x();
+    entries.along_y[at] = along.y();
+    entries.tangent_x[at] = static_cast<float>(in_virtual.x());
+    entries.tangent_y[at] = static_cast<float>(in_virtual.y());
+    entries.id[at] = static_cast<EdgelId>(id);
   }
 }
 
@@ -100,8 +166,8 @@ int EdgelIndex::Grid::CellOf(const Edgel& edgel) const {
 }
 
 template <typename Visit>
-void EdgelIndex::Grid::VisitCells(const Eigen::Vector2d& position_px, double radius_px,
-                                  Visit&& visit) const {
+void EdgelIndex::Grid::VisitRuns(const Eigen::Vector2d& position_px, double radius_px,
+                                 Visit&& visit) const {
   const Eigen::Vector2d low = (position_px - origin).array() - radius_px;
   const Eigen::Vector2d high = (position_px - origin).array() + radius_px;
   // Also false for what is not a number.
@@ -119,8 +185,7 @@ void EdgelIndex::Grid::VisitCells(const Eigen::Vector2d& position_px, double rad
       if (first >= 0) {
         // The cells of a row of a tile follow each other.
         const int* begin = cell_begin.data() + first + row % kTileCells * kTileCells;
-        const int last = begin[(next_col - 1) % kTileCells + 1];
-        for (int i = begin[col % kTileCells]; i < last; ++i) visit(entries[i]);
+        visit(begin[col % kTileCells], begin[(next_col - 1) % kTileCells + 1]);
       }
       col = next_col;
     }
@@ -144,30 +209,42 @@ std::optional<EdgelMatch> EdgelIndex::FindBest(const Eigen::Vector2d& position_p
                                                const Eigen::Vector2d& direction,
                                                const SupportGate& gate) const {
   if (!grid_) return std::nullopt;
+  const Entries& entries = grid_->entries;
   const double radius_px = std::hypot(gate.normal_px, gate.along_px) * grid_->max_scale;
   // From a right angle on every direction will do.
   const double max_sine = gate.angle_rad < M_PI / 2 ? std::sin(gate.angle_rad) : 2;
   const double per_squared_px = 1 / (gate.normal_px * gate.normal_px);
   const double per_squared_sine = 1 / (max_sine * max_sine);
+  const Eigen::Vector2d from_origin = position_px - grid_->origin;
+  const GateQuery query{from_origin.cast<float>(), direction.cast<float>(),
+                        static_cast<float>(gate.normal_px), static_cast<float>(gate.along_px),
+                        static_cast<float>(max_sine)};
   EdgelMatch best;
   double best_cost = std::numeric_limits<double>::infinity();
-  grid_->VisitCells(position_px, radius_px, [&](const Entry& edgel) {
-    const Eigen::Vector2d offset = position_px - edgel.position_px;
-    const double normal = edgel.across.x() * offset.x() + edgel.across.y() * offset.y();
-    const double along = edgel.along.x() * offset.x() + edgel.along.y() * offset.y();
-    const double sine = edgel.tangent.x() * direction.y() - edgel.tangent.y() * direction.x();
-    // Bitwise: one branch for all three.
-    const bool is_in = (std::abs(normal) <= gate.normal_px) & (std::abs(along) <= gate.along_px) &
-                       (std::abs(sine) <= max_sine);
-    if (!is_in || !Has(edgel.id)) return;
-    if constexpr (kAlong) {
-      if (edgel.tangent.x() * direction.x() + edgel.tangent.y() * direction.y() <= 0) return;
-    }
+  const auto judge = [&](int i) {
+    const EdgelId id = entries.id[i];
+    if (!Has(id)) return;
+    const double turn = entries.tangent_x[i] * direction.x() + entries.tangent_y[i] * direction.y();
+    if (kAlong && turn <= 0) return;
+    const Eigen::Vector2d offset = from_origin - Eigen::Vector2d(entries.x_px[i], entries.y_px[i]);
+    const double normal = entries.across_x[i] * offset.x() + entries.across_y[i] * offset.y();
+    const double along = entries.along_x[i] * offset.x() + entries.along_y[i] * offset.y();
+    const double sine = entries.tangent_x[i] * direction.y() - entries.tangent_y[i] * direction.x();
     const double cost = (normal * normal + kAlongCost * along * along) * per_squared_px +
                         sine * sine * per_squared_sine;
-    if (cost < best_cost || (cost == best_cost && edgel.id < best.edgel)) {
+    if (cost < best_cost || (cost == best_cost && id < best.edgel)) {
       best_cost = cost;
-      best = {edgel.id, normal};
+      best = {id, normal};
+    }
+  };
+  const bool has_avx2 = HasAvx2();
+  grid_->VisitRuns(position_px, radius_px, [&](int begin, int end) {
+    std::array<int, kMaxInGate> hits;
+    for (int first = begin; first < end; first += kMaxInGate) {
+      const int last = std::min(end, first + kMaxInGate);
+      const int num_hits = has_avx2 ? query.FindByAvx2(entries, first, last, hits.data())
+                                    : query.FindBySse2(entries, first, last, hits.data());
+      for (int h = 0; h < num_hits; ++h) judge(hits[h]);
     }
   });
   if (best.edgel == kInvalidEdgel) return std::nullopt;
@@ -177,9 +254,15 @@ std::optional<EdgelMatch> EdgelIndex::FindBest(const Eigen::Vector2d& position_p
 void EdgelIndex::ForEachWithin(const Eigen::Vector2d& position_px, double radius_px,
                                const std::function<void(EdgelId)>& visit) const {
   if (!grid_) return;
-  grid_->VisitCells(position_px, radius_px, [&](const Entry& edgel) {
-    const bool is_near = (edgel.position_px - position_px).squaredNorm() <= radius_px * radius_px;
-    if (is_near && Has(edgel.id)) visit(edgel.id);
+  const Entries& entries = grid_->entries;
+  const Eigen::Vector2d from_origin = position_px - grid_->origin;
+  grid_->VisitRuns(position_px, radius_px, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const Eigen::Vector2d offset =
+          Eigen::Vector2d(entries.x_px[i], entries.y_px[i]) - from_origin;
+      const bool is_near = offset.squaredNorm() <= radius_px * radius_px;
+      if (is_near && Has(entries.id[i])) visit(entries.id[i]);
+    }
   });
 }
 

@@ -27,7 +27,7 @@ struct EdgelMatch {
 };
 
 // Finds edgels of one view by place and direction, on a grid over the virtual image: cells of 4 px
-// in tiles of 32 px, of which only those with edgels exist. Memory: about 60 bytes per edgel.
+// in tiles of 32 px, of which only those with edgels exist. Memory: about 45 bytes per edgel.
 class EdgelIndex {
  public:
   // Has no edgels.
@@ -58,16 +58,23 @@ class EdgelIndex {
   bool AnyWithin(const Eigen::Vector2d& position_px, double radius_px) const;
 
  private:
-  // The part of an edgel that a look-up needs.
-  struct Entry {
-    Eigen::Vector2d position_px;
+  // What look-ups need of edgels, as arrays of its parts, padded for batches.
+  struct Entries {
+    // From the origin of the grid.
+    std::vector<float> x_px;
+    std::vector<float> y_px;
     // Rows that turn an offset in the virtual image into its parts across and along the edgel,
     // stored pixels.
-    Eigen::Vector2f across;
-    Eigen::Vector2f along;
-    Eigen::Vector2f tangent;  // unit, virtual image
-    EdgelId id;
+    std::vector<float> across_x;
+    std::vector<float> across_y;
+    std::vector<float> along_x;
+    std::vector<float> along_y;
+    // Unit, virtual image.
+    std::vector<float> tangent_x;
+    std::vector<float> tangent_y;
+    std::vector<EdgelId> id;
   };
+  struct GateQuery;
 
   // The edgels by place.
   struct Grid {
@@ -78,8 +85,9 @@ class EdgelIndex {
     size_t TileOf(const Eigen::Vector2i& cell) const;
     // Index in cell_begin of the cell of an edgel whose tile exists.
     int CellOf(const Edgel& edgel) const;
+    // Calls visit(begin, end) for runs of entries that hold all within the radius, and others.
     template <typename Visit>
-    void VisitCells(const Eigen::Vector2d& position_px, double radius_px, Visit&& visit) const;
+    void VisitRuns(const Eigen::Vector2d& position_px, double radius_px, Visit&& visit) const;
 
     Eigen::Vector2d origin = Eigen::Vector2d::Zero();
     int cols = 0;
@@ -87,7 +95,7 @@ class EdgelIndex {
     int tile_cols = 0;
     std::vector<int> first_cell;  // per tile, row-major: its place in cell_begin, -1 = no edgels
     std::vector<int> cell_begin;  // tile by tile, cells of a tile row-major; one more than cells
-    std::vector<Entry> entries;   // by cell, ascending ids within a cell
+    Entries entries;              // by cell, ascending ids within a cell
     double max_scale = 1;
   };
 

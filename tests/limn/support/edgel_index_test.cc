@@ -72,9 +72,9 @@ TEST_F(EdgelIndexTest, FindsAnEdgelWhereverOneIsInTheGate) {
     ++num_found;
     EXPECT_TRUE(inside.count(best->edgel)) << "query " << q;
     const Edgel& edgel = edge_map_.edgels[best->edgel];
-    // Directions are kept in single precision.
+    // Places and directions are kept in single precision.
     EXPECT_NEAR(best->normal_residual_px, edgel.Normal().dot(queries_[q] - edgel.position_px),
-                1e-6);
+                1e-5);
     // None is better in every respect.
     const Offset of_best = OffsetOf(edgel, queries_[q], directions_[q], gate);
     for (const EdgelId id : inside) {
