@@ -170,7 +170,7 @@ test('contours tell the body whose outline they are', () =>
       drawing.bodyRadius[0] = 0.125;
       drawing.bodyRadiusSigma[0] = 0.01;
     });
-    assert.equal(await bodyOf(0), 'cylinder, radius 0.125 ± 0.01');
+    assert.equal(await bodyOf(0), 'cylinder, radius 0.125 ± 0.01 model units');
     assert.equal(await bodyOf(1), null);
     await page.evaluate(() => {
       window.limnViewer.drawing.linkKind[0] = 1;

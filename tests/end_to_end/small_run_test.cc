@@ -150,6 +150,12 @@ TEST_F(SmallRun, RefinedCamerasAreAModelOfTheirOwn) {
     const bool is_view = given.images[i].name < "view_08";
     EXPECT_EQ(before.translation != after.translation, is_view) << given.images[i].name;
   }
+  // The share of the cameras is in both.
+  for (const DrawingLink& link :
+       ReadDrawingJson(Output("out", "drawing.json").string()).graph.links) {
+    if (link.depth_sigma < 0) continue;
+    EXPECT_GT(link.depth_sigma, 0.999 * *std::ranges::min_element(link.sigma));
+  }
   const LimnRun refused =
       RunLimn({"automatic_drawer", "--input_path", (dir_ / "out/refined").string(), "--image_path",
                LIMN_SAMPLE_DIR "/day/images", "--output_path", (dir_ / "out").string(),
@@ -578,10 +584,14 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
                                      "kinds of edges", "texture", "short curves"));
   EXPECT_EQ(report.at("options_changed").at("Drawing.min_link_length_px"), 7.5);
   const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;
+  int num_with_depth = 0;
   for (const DrawingLink& link : graph.links) {
     EXPECT_EQ(link.tri_angle_deg >= 0, link.supporting_views.size() >= 2);
+    EXPECT_TRUE(link.tri_angle_deg >= 0 || link.depth_sigma == -1);
+    num_with_depth += link.depth_sigma > 0;
     EXPECT_GT(link.curve_px, 0);
   }
+  EXPECT_GT(num_with_depth, static_cast<int>(graph.links.size()) / 2);
   int num_links = 0;
   for (const int count : report.at("support_histogram")) num_links += count;
   EXPECT_EQ(num_links, static_cast<int>(graph.links.size()));

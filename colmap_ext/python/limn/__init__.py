@@ -25,15 +25,15 @@ from typing import Any, Optional, Union
 
 from limn import _limn
 from limn._limn import (Alignment, Camera, Curves, Drawing, Edges, Face, Faces, ImageCurves, ImageEdges, Link, Links,
-                        Node, Nodes, Primitive, Scene, Sketch, SketchCurve)
+                        Node, Nodes, Primitive, RoundBody, Scene, Sketch, SketchCurve)
 from limn._memory import scene_from_arrays, scene_from_reconstruction
 from limn._options import texts_of
 from limn.errors import Error, InputError, IoError, OptionError
 
 __all__ = [
     "Alignment", "Camera", "Curves", "Drawing", "Edges", "Error", "Face", "Faces", "ImageCurves", "ImageEdges",
-    "InputError", "IoError", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "Scene", "Sketch",
-    "SketchCurve", "align", "draw", "edit", "evaluate", "export", "extract_edges", "find_faces", "fuse", "link", "open",
+    "InputError", "IoError", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "RoundBody", "Scene",
+    "Sketch", "SketchCurve", "align", "draw", "edit", "evaluate", "export", "extract_edges", "find_faces", "fuse", "link", "open",
     "read_drawing", "refine", "refine_cameras", "regularize", "run", "sketch",
 ]
 

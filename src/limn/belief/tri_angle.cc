@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-constexpr int kMaxPoints = 9;
+constexpr int kMaxSpreadPlaces = 9;
 // A view that looks along the curve within this angle does not tell its plane.
 constexpr double kMinAngleToCurve = 3 * kDeg;
 
@@ -30,18 +30,18 @@ double CosineBetween(const SightLine& a, const SightLine& b) {
   return std::max(std::abs(a.normal.dot(b.normal)), std::abs(a.ray.dot(b.ray)));
 }
 
-struct DepthPlace {
+struct SpreadPlace {
   Eigen::Vector3d position;
   Eigen::Vector3d tangent;
   double sigma;
 };
 
 // Evenly along a link.
-std::vector<DepthPlace> DepthPlaces(const DrawingLink& link) {
+std::vector<SpreadPlace> SpreadPlaces(const DrawingLink& link) {
   const auto& points = link.points_in_world;
   const int last = link.size() - 1;
-  const int num_places = std::min(kMaxPoints, last);
-  std::vector<DepthPlace> places;
+  const int num_places = std::min(kMaxSpreadPlaces, last);
+  std::vector<SpreadPlace> places;
   for (int i = 0; i < num_places; ++i) {
     const int k = (2 * i + 1) * last / (2 * num_places);
     const Eigen::Vector3d step = points[k + 1] - points[k];
@@ -52,7 +52,7 @@ std::vector<DepthPlace> DepthPlaces(const DrawingLink& link) {
   return places;
 }
 
-double SpreadAt(const DepthPlace& place, const std::vector<Eigen::Vector3d>& centers) {
+double SpreadAt(const SpreadPlace& place, const std::vector<Eigen::Vector3d>& centers) {
   std::vector<SightLine> sights;
   double least_cosine = 1;
   for (const Eigen::Vector3d& center : centers) {
@@ -69,7 +69,7 @@ double SpreadAt(const DepthPlace& place, const std::vector<Eigen::Vector3d>& cen
 
 // The standard deviation in the direction across the curve that is known least, over the root of
 // the mean of the variances of both.
-double ElongationAt(const DepthPlace& place, const DrawingLink& link,
+double ElongationAt(const SpreadPlace& place, const DrawingLink& link,
                     const std::vector<View>& views) {
   const Eigen::Matrix<double, 3, 2> across = TangentFrame(place.tangent);
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
@@ -95,7 +95,7 @@ double TriAngleDeg(const DrawingLink& link, const std::vector<View>& views) {
   for (const ViewId view : link.supporting_views) centers.push_back(views[view].CenterInWorld());
   if (centers.size() < 2) return -1;
   std::vector<double> spreads;
-  for (const DepthPlace& place : DepthPlaces(link)) spreads.push_back(SpreadAt(place, centers));
+  for (const SpreadPlace& place : SpreadPlaces(link)) spreads.push_back(SpreadAt(place, centers));
   return spreads.empty() ? 0 : Degrees(Median(spreads));
 }
 
@@ -106,20 +106,25 @@ std::vector<double> TriAnglesDeg(const DrawingGraph& graph, const std::vector<Vi
 }
 
 double DepthSigma(const DrawingLink& link, const std::vector<View>& views) {
+  if (link.supporting_views.size() < 2 || link.kind == LinkKind::kContour) return -1;
   std::vector<double> sigmas;
-  for (const DepthPlace& place : DepthPlaces(link)) {
+  for (const SpreadPlace& place : SpreadPlaces(link)) {
     if (!std::isfinite(place.sigma)) continue;
     sigmas.push_back(place.sigma * ElongationAt(place, link, views));
   }
   return sigmas.empty() ? -1 : Median(std::move(sigmas));
 }
 
+void MeasureDepthSigmas(const std::vector<View>& views, const RunContext& context,
+                        DrawingGraph* graph) {
+  ParallelFor(context, "depths", graph->links.size(),
+              [&](size_t l) { graph->links[l].depth_sigma = DepthSigma(graph->links[l], views); });
+}
+
 void MeasureDepth(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph) {
   const std::vector<double> angles_deg = TriAnglesDeg(*graph, views, context);
-  for (size_t l = 0; l < graph->links.size(); ++l) {
-    graph->links[l].tri_angle_deg = angles_deg[l];
-    graph->links[l].depth_sigma = DepthSigma(graph->links[l], views);
-  }
+  for (size_t l = 0; l < graph->links.size(); ++l) graph->links[l].tri_angle_deg = angles_deg[l];
+  MeasureDepthSigmas(views, context, graph);
 }
 
 }  // namespace limn

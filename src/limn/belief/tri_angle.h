@@ -23,10 +23,15 @@ std::vector<double> TriAnglesDeg(const DrawingGraph& graph, const std::vector<Vi
 // The standard deviation of a link in the direction across it that its supporting views measure
 // least, which is that of their depth, world units: the sigmas of its points (cameras included
 // where these were refined), split as the planes and footprints of the views say. Median over up to
-// 9 places; -1 where no sigma is known. Time: 9 times the number of supporting views.
+// 9 places. -1, unknown, with fewer than two supporting views, without known sigmas, and of
+// contours, which are no curves in space. Time: 9 times the number of supporting views.
 double DepthSigma(const DrawingLink& link, const std::vector<View>& views);
 
-// Sets both for all links.
+// Sets it for all links.
+void MeasureDepthSigmas(const std::vector<View>& views, const RunContext& context,
+                        DrawingGraph* graph);
+
+// Sets angles and standard deviations of all links.
 void MeasureDepth(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph);
 
 }  // namespace limn

@@ -36,7 +36,6 @@ constexpr double kMinAcross = 0.3;
 constexpr int kMinSupporting = 2;
 // Of more, every second, third ... one is used.
 constexpr size_t kMaxOutlineViews = 40;
-constexpr double kOutlineRobustPx = 0.5;
 // Standard deviations of the axis and the radius about where a step begins, px: they decide only
 // what edgels leave open.
 constexpr double kAxisPriorPx = 10;
@@ -44,8 +43,6 @@ constexpr double kRadiusPriorPx = 20;
 // Misfits of places are at most this; a view shows a curve whose mean squared misfit is below that.
 constexpr double kMaxMisfitPx = 1;
 constexpr double kShownMisfit = 0.4;
-// What calibration and sampling add to all edgels of a view alike, px.
-constexpr double kAlikePx = 0.4;
 constexpr double kMinMovedPx = 1;
 // A view that sees less of the link does not tell.
 constexpr double kMinProbesShare = 0.3;

@@ -16,19 +16,17 @@ namespace limn {
 namespace {
 
 constexpr int kMaxBodyIterations = 50;
-constexpr double kBodyRobustPx = 0.5;
 constexpr size_t kMinBodyViews = 4;
 // Farther from the body, an edgel is of something else; this share must be nearer.
 constexpr double kOffBodyPx = 1.5;
 constexpr double kMinOnBody = 0.8;
 constexpr double kMaxRadiusError = 0.05;
-// Of edgels, by calibration and sampling; many of one view are off alike, so that they tell no more
-// than a few do.
-constexpr double kAlikeOfViewPx = 0.4;
-// A shape with more unknowns must lower the mean squared misfit to this share, with what edgels
-// never fit better than added, px^2.
+// A shape with more unknowns must lower the mean squared misfit to this share. Below some px^2
+// misfits do not tell shapes apart: that is added to both.
 constexpr double kMuchBetter = 0.8;
 constexpr double kLeastMisfit = 0.01;
+// Information that is nearer to singular does not determine a body.
+constexpr double kMinCondition = 1e-12;
 constexpr double kMinAxisPx = 3;
 
 template <typename T>
@@ -134,7 +132,7 @@ std::optional<Eigen::Matrix<double, kUnknowns, kUnknowns>> Solve(
   using Information = Eigen::Matrix<double, kUnknowns, kUnknowns>;
   ceres::Problem problem;
   for (const OutlineSight& sight : sights) {
-    problem.AddResidualBlock(make_cost(sight), new ceres::HuberLoss(kBodyRobustPx),
+    problem.AddResidualBlock(make_cost(sight), new ceres::HuberLoss(kOutlineRobustPx),
                              unknowns->data());
   }
   ceres::Solver::Options options;
@@ -153,8 +151,10 @@ std::optional<Eigen::Matrix<double, kUnknowns, kUnknowns>> Solve(
     information += gradient * gradient.transpose();
   }
   const Eigen::LDLT<Information> factors(information);
-  if (!(factors.rcond() > 1e-14)) return std::nullopt;
-  return Information(factors.solve(Information::Identity()));
+  if (!(factors.rcond() > kMinCondition)) return std::nullopt;
+  const Information covariance = factors.solve(Information::Identity());
+  if (!(covariance.diagonal().minCoeff() > 0)) return std::nullopt;
+  return covariance;
 }
 
 double MisfitPx(const OutlineSight& sight, const RoundBody& body) {
@@ -184,8 +184,8 @@ FittedBody Measure(const std::vector<OutlineSight>& sights, RoundBody body,
   const auto count = static_cast<double>(sights.size());
   body.rms_px = num_on > 0 ? std::sqrt(sum_on / num_on) : kOffBodyPx;
   const double per_view = count / static_cast<double>(views.size());
-  const double variance = body.rms_px * body.rms_px + per_view * kAlikeOfViewPx * kAlikeOfViewPx;
-  body.radius_sigma = std::sqrt(std::max(0.0, radius_variance) * variance);
+  const double variance = body.rms_px * body.rms_px + per_view * kAlikePx * kAlikePx;
+  body.radius_sigma = std::sqrt(radius_variance * variance);
   fitted.body = body;
   fitted.mean_squared = sum / count;
   fitted.on_body = num_on / count;
@@ -209,6 +209,19 @@ std::optional<FittedBody> FitSphere(const std::vector<OutlineSight>& sights,
   return Measure(sights, body, (*covariance)(3, 3));
 }
 
+// A cone that outlines show up to its apex may end beyond it, where radii are below 0.
+void CutAtApex(RoundBody* cone) {
+  const double at = cone->start_radius / (cone->start_radius - cone->end_radius);
+  const Eigen::Vector3d apex = cone->start + at * (cone->end - cone->start);
+  if (cone->start_radius < 0 && cone->end_radius > 0) {
+    cone->start = apex;
+    cone->start_radius = 0;
+  } else if (cone->end_radius < 0 && cone->start_radius > 0) {
+    cone->end = apex;
+    cone->end_radius = 0;
+  }
+}
+
 template <size_t kUnknowns>
 RoundBody BodyOnAxis(RoundShape shape, const AxisFrame& frame,
                      const std::array<double, kUnknowns>& unknowns) {
@@ -218,6 +231,7 @@ RoundBody BodyOnAxis(RoundShape shape, const AxisFrame& frame,
   body.end = frame.end + frame.across * Eigen::Vector2d(unknowns[2], unknowns[3]);
   body.start_radius = unknowns[4];
   body.end_radius = unknowns.back();
+  if (shape == RoundShape::kCone) CutAtApex(&body);
   return body;
 }
 
@@ -297,13 +311,13 @@ std::optional<RoundBody> FitRoundBody(const std::vector<OutlineSight>& sights) {
   }
   std::optional<FittedBody> best;
   for (const std::optional<FittedBody>& fit : fits) {
-    if (!fit || !IsCredible(*fit)) continue;
+    if (!fit) continue;
     if (!best ||
         fit->mean_squared + kLeastMisfit < kMuchBetter * (best->mean_squared + kLeastMisfit)) {
       best = fit;
     }
   }
-  if (!best) return std::nullopt;
+  if (!best || !IsCredible(*best)) return std::nullopt;
   return best->body;
 }
 

@@ -10,6 +10,11 @@
 
 namespace limn {
 
+// Where the loss of misfits from an outline begins to grow linearly, px.
+constexpr double kOutlineRobustPx = 0.5;
+// What calibration and sampling add to all edgels of a view alike, px.
+constexpr double kAlikePx = 0.4;
+
 // The line of sight through an edgel of an outline.
 struct OutlineSight {
   ViewId view = -1;

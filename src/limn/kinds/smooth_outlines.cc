@@ -11,6 +11,7 @@
 
 #include "limn/geometry/polyline.h"
 #include "limn/kinds/outline_fit.h"
+#include "limn/kinds/round_body_fit.h"
 #include "limn/support/view_edgels.h"
 #include "limn/util/logistic.h"
 #include "limn/util/map_items.h"
@@ -126,7 +127,8 @@ std::vector<std::vector<size_t>> OutlinesOfBodies(const std::vector<OutlineEvide
   UnionFind sets(outlines.size());
   for (size_t i = 0; i < outlines.size(); ++i) {
     for (size_t j = 0; j < i; ++j) {
-      if (AgreeOnBody(links[outlines[i]], links[outlines[j]])) sets.Union(i, j);
+      const bool are_together = sets.Find(static_cast<int>(i)) == sets.Find(static_cast<int>(j));
+      if (!are_together && AgreeOnBody(links[outlines[i]], links[outlines[j]])) sets.Union(i, j);
     }
   }
   std::map<size_t, std::vector<size_t>> by_root;
@@ -156,7 +158,8 @@ OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& 
     links[l].kind = LinkKind::kContour;
     links[l].kind_confidence = Logistic(evidence[l].log_ratio);
   }
-  const std::vector<std::vector<size_t>> outlines = OutlinesOfBodies(evidence, are_outlines);
+  std::vector<std::vector<size_t>> outlines;
+  if (input.fit_bodies) outlines = OutlinesOfBodies(evidence, are_outlines);
   const auto bodies = MapItems(context, "round bodies", outlines.size(), [&](size_t b) {
     std::vector<OutlineSight> sights;
     for (const size_t l : outlines[b]) {

@@ -11,6 +11,7 @@ namespace limn {
 struct OutlinesInput {
   CurvesScene scene;
   const DrawingGraph& graph;
+  bool fit_bodies = true;
 };
 
 struct OutlinesResult {
@@ -24,7 +25,7 @@ struct OutlinesResult {
 // must agree on it, unless it is much better alone. Tentative links and rods stay. Contours of an
 // earlier run are judged anew. Where outlines that agree are those of a sphere, cylinder or cone,
 // they have it as their body (FitRoundBody). Throws Cancelled. Time: that of CompareWithBodies for
-// each link.
+// each link, and the square of the number of outlines.
 OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& context);
 
 // The drawing without contours: their kind is unknown, without a body.

@@ -33,13 +33,13 @@ std::string Validate(const RoundBody& body) {
   if (!is_finite) return "its body is not finite";
   if (!(body.start_radius >= 0 && body.end_radius >= 0 && body.MeanRadius() > 0) ||
       !(body.radius_sigma >= 0 && body.rms_px >= 0)) {
-    return "a radius of its body is not above 0";
+    return "a number of its body is below 0, or its radius is 0";
   }
   if (body.shape != RoundShape::kCone && body.start_radius != body.end_radius) {
-    return "only cones have two radii";
+    return "a body with two radii that is no cone";
   }
   if ((body.shape == RoundShape::kSphere) != (body.start == body.end)) {
-    return "bodies but spheres have an axis";
+    return "a body has no axis, or is a sphere with one";
   }
   return "";
 }

@@ -206,7 +206,7 @@ void CameraRefiner::Draw(const PictureLevel& level) {
   const CurvesScene scene = {views, curves, hints, input_.box};
   const DrawnCurves drawn = DrawCurves(scene, options, &none, context_, [](const StageSummary&) {});
   // No camera agrees with another one on an outline; they are left out of fits.
-  graph_ = FindSmoothOutlines({scene, drawn.drawing.graph}, context_).graph;
+  graph_ = FindSmoothOutlines({scene, drawn.drawing.graph, /*fit_bodies=*/false}, context_).graph;
 }
 
 CameraRoundsResult CameraRefiner::Refine(const CameraRoundsInput& input) {

@@ -286,8 +286,12 @@ class SceneUpdater {
     const std::vector<ChangedPlace> places =
         FindChangedPlaces({input_.views, record.graph, lost, result.sketch, changes.is_new});
     on_stage_end_(Summarize(changes, places.size()));
-    result.graph = places.empty() ? std::move(record.graph)
-                                  : DrawPlaces(places, result.sketch, std::move(record.graph));
+    result.graph = std::move(record.graph);
+    if (places.empty()) {
+      MeasureLinks(input_.views, context_, &result.graph);
+    } else {
+      result.graph = DrawPlaces(places, result.sketch, std::move(result.graph));
+    }
     result.new_views = changes.added;
     record.views = recorded_;
     record.graph = result.graph;

@@ -82,6 +82,7 @@ int64_t Describe(FitRounds* rounds) {
     const ControlLink& fitted = rounds->control.links[l];
     link.primitive.reset();
     link.regularity.reset();
+    link.body.reset();
     num_frozen += fitted.frozen;
     if (!fitted.frozen) link.residual_px = Median(ResidualsPx(fitted));
   }

@@ -28,8 +28,8 @@ struct OtherCamerasResult {
 // cameras, as RefineDrawing does, then fits it to these same edgels under the others, where no gate
 // would find them. Topology, kinds and supporting views stay; sigmas and residuals are those of the
 // fit. Links that too few views show follow their nodes, and free ends stay along their curve.
-// Drops primitives, regularities and faces. The result passes Validate(). Throws OptionError and
-// Cancelled. Time: as that of two rounds of RefineDrawing.
+// Drops primitives, regularities, bodies and faces. The result passes Validate(). Throws
+// OptionError and Cancelled. Time: as that of two rounds of RefineDrawing.
 OtherCamerasResult FitOtherCameras(const OtherCamerasInput& input, const RefinementOptions& options,
                                    const RunContext& context);
 

@@ -211,6 +211,7 @@ class Drawings(unittest.TestCase):
         self.assertEqual((contour.body.start.tolist(), contour.body.end.tolist()), ([0, 0, 1], [0, 0, 3]))
         self.assertEqual((contour.body.radius_sigma, contour.body.rms_px), (0.125, 0.25))
         self.assertEqual(contour.depth_sigma, 0.5)
+        self.assertIsInstance(contour.body, limn.RoundBody)
         self.assertIsNone(other.body)
 
     def test_detail_is_chosen_by_name(self):

@@ -77,9 +77,40 @@ TEST(DepthSigmaTest, ASmallAngleBetweenViewsIsAllInDepth) {
 
 TEST(DepthSigmaTest, UnknownWithoutSigmas) {
   DrawingGraph graph;
-  DrawLink({{0, -1, 0}, {0, 1, 0}}, {0}, &graph);
-  graph.links[0].sigma.assign(2, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(DepthSigma(graph.links[0], {LookAt({0, 0, -5}, {0, 0, 0})}), -1);
+  DrawLink({{0, -1, 0}, {0, 1, 0}}, {0, 1}, &graph);
+  const std::vector<View> views = {LookAt({0, 0, -5}, {0, 0, 0}), LookAt({2, 0, -5}, {0, 0, 0})};
+  DrawingLink& link = graph.links[0];
+  link.sigma.assign(2, 1);
+  EXPECT_GT(DepthSigma(link, views), 0);
+  link.sigma.assign(2, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(DepthSigma(link, views), -1);
+}
+
+TEST(DepthSigmaTest, UnknownOfContoursAndOfOneView) {
+  DrawingGraph graph;
+  DrawLink({{0, -1, 0}, {0, 1, 0}}, {0, 1}, &graph);
+  const std::vector<View> views = {LookAt({0, 0, -5}, {0, 0, 0}), LookAt({2, 0, -5}, {0, 0, 0})};
+  DrawingLink link = graph.links[0];
+  link.sigma.assign(2, 1);
+  link.kind = LinkKind::kContour;
+  EXPECT_EQ(DepthSigma(link, views), -1);
+  link.kind = LinkKind::kEdge;
+  link.supporting_views = {1};
+  EXPECT_EQ(DepthSigma(link, views), -1);
+}
+
+// The second of three views is far away, and says little.
+TEST(DepthSigmaTest, NearViewsTellMore) {
+  const Eigen::Vector3d middle(0, 0, -5), aside(5, 0, 0), far_aside(500, 0, 0);
+  const auto sigma_with = [&](const Eigen::Vector3d& third) {
+    const std::vector<View> views = {LookAt(middle, {0, 0, 0}), LookAt({0.5, 0, -5}, {0, 0, 0}),
+                                     LookAt(third, {0, 0, 0})};
+    DrawingGraph graph;
+    DrawLink({{0, -1, 0}, {0, 1, 0}}, {0, 1, 2}, &graph);
+    graph.links[0].sigma.assign(2, 1);
+    return DepthSigma(graph.links[0], views);
+  };
+  EXPECT_GT(sigma_with(far_aside), 1.2 * sigma_with(aside));
 }
 
 TEST(TriAngleTest, OneViewIsUnknown) { EXPECT_EQ(AngleOfLine({{0, 0, -5}}), -1); }

@@ -320,9 +320,17 @@ TEST(WriteDrawing, JsonKeepsBodiesAndDepth) {
   EXPECT_EQ(read.links[2].body, std::nullopt);
   EXPECT_EQ(read.links[0].depth_sigma, 0.125);
   EXPECT_EQ(read.links[1].depth_sigma, -1);
-  std::string text = TemporaryFolder::Read(path);
-  text.replace(text.find("\"cone\""), 6, "\"cube\"");
-  EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", text)), IoError);
+  const std::string text = TemporaryFolder::Read(path);
+  const auto refuses = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find(from), from.size(), to);
+    EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", changed)), IoError) << to;
+  };
+  refuses("\"cone\"", "\"cube\"");
+  refuses("\"radii\":[0.5", "\"radii\":[-0.5");
+  refuses("\"radii\":", "\"radius\":");
+  refuses("\"body\":{", "\"body\":null,\"other\":{");
+  refuses("\"kind\":\"contour\"", "\"kind\":\"edge\"");
 }
 
 // PLY has the radius per edge, OBJ as a comment, GraphML as an attribute, DXF as extended data.

@@ -18,41 +18,49 @@ constexpr double kRadius = 0.2;
 constexpr double kTopRadius = 0.1;
 
 // An upright body around the z axis from z = -0.5 to 0.5, or a ball.
-double ShapeRadiusAt(RoundShape shape, double z) {
-  if (shape == RoundShape::kSphere) return std::sqrt(kRadius * kRadius - z * z);
-  const double top = shape == RoundShape::kCone ? kTopRadius : kRadius;
-  return kRadius + (z + 0.5) * (top - kRadius);
-}
+struct TestBody {
+  RoundShape shape = RoundShape::kCylinder;
+  double top_radius = kRadius;
 
-double SlopeAt(RoundShape shape, double z) {
-  if (shape == RoundShape::kSphere) return -z / ShapeRadiusAt(shape, z);
-  return shape == RoundShape::kCone ? kTopRadius - kRadius : 0;
-}
+  double RadiusAt(double z) const {
+    if (shape == RoundShape::kSphere) return std::sqrt(kRadius * kRadius - z * z);
+    return kRadius + (z + 0.5) * (top_radius - kRadius);
+  }
+  double SlopeAt(double z) const {
+    return shape == RoundShape::kSphere ? -z / RadiusAt(z) : top_radius - kRadius;
+  }
+};
+
+constexpr TestBody kCylinder;
+constexpr TestBody kCone = {RoundShape::kCone, kTopRadius};
+constexpr TestBody kBall = {RoundShape::kSphere};
 
 // Where the outline on one side is at height z: the normal of the surface is across the ray.
-Eigen::Vector3d OutlinePlace(RoundShape shape, const Eigen::Vector3d& view, double z, int side) {
-  const double radius = ShapeRadiusAt(shape, z);
+Eigen::Vector3d OutlinePlace(const TestBody& body, const Eigen::Vector3d& view, double z,
+                             int side) {
+  const double radius = body.RadiusAt(z);
   // With the normal (cos t, sin t, -slope): normal . (place - view) = 0.
   const double flat = view.head<2>().norm();
-  const double cosine = (radius - SlopeAt(shape, z) * (z - view.z())) / flat;
+  const double cosine = (radius - body.SlopeAt(z) * (z - view.z())) / flat;
   const double angle = std::atan2(view.y(), view.x()) + side * std::acos(cosine);
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-std::vector<OutlineSight> SightsOfShape(RoundShape shape, double noise_px, double spread_deg = 20) {
+std::vector<OutlineSight> SightsOfShape(const TestBody& body, double noise_px,
+                                        double spread_deg = 20) {
   std::vector<OutlineSight> sights;
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, noise_px);
   for (int v = 0; v < 8; ++v) {
     const View view = testing::RingView(spread_deg * v, kSeenFrom, 0.4 * v - 1);
     for (int k = -10; k <= 10; ++k) {
-      const double z = (shape == RoundShape::kSphere ? 0.015 : 0.05) * k;
+      const double z = (body.shape == RoundShape::kSphere ? 0.015 : 0.05) * k;
       for (const int side : {1, -1}) {
         OutlineSight& sight = sights.emplace_back();
         sight.view = v;
         sight.center = view.CenterInWorld();
-        const Eigen::Vector3d place = OutlinePlace(shape, sight.center, z, side);
-        const Eigen::Vector3d axis(0, 0, shape == RoundShape::kSphere ? 0 : z);
+        const Eigen::Vector3d place = OutlinePlace(body, sight.center, z, side);
+        const Eigen::Vector3d axis(0, 0, body.shape == RoundShape::kSphere ? 0 : z);
         const Eigen::Vector3d outward = (place - axis).normalized();
         sight.ray = (place + noise(random) / kPxPerUnit * outward - sight.center).normalized();
         sight.px_per_unit = kPxPerUnit;
@@ -65,7 +73,7 @@ std::vector<OutlineSight> SightsOfShape(RoundShape shape, double noise_px, doubl
 }
 
 TEST(FitRoundBodyTest, ACylinderIsFound) {
-  const auto body = FitRoundBody(SightsOfShape(RoundShape::kCylinder, 0));
+  const auto body = FitRoundBody(SightsOfShape(kCylinder, 0));
   ASSERT_TRUE(body);
   EXPECT_EQ(body->shape, RoundShape::kCylinder);
   EXPECT_EQ(Validate(*body), "");
@@ -78,7 +86,7 @@ TEST(FitRoundBodyTest, ACylinderIsFound) {
 }
 
 TEST(FitRoundBodyTest, AConeIsFound) {
-  const auto body = FitRoundBody(SightsOfShape(RoundShape::kCone, 0));
+  const auto body = FitRoundBody(SightsOfShape(kCone, 0));
   ASSERT_TRUE(body);
   EXPECT_EQ(body->shape, RoundShape::kCone);
   EXPECT_EQ(Validate(*body), "");
@@ -90,8 +98,21 @@ TEST(FitRoundBodyTest, AConeIsFound) {
   EXPECT_LT(body->rms_px, 1e-3);
 }
 
+TEST(FitRoundBodyTest, AConeEndsAtItsApex) {
+  std::vector<OutlineSight> sights = SightsOfShape({RoundShape::kCone, 0}, 0);
+  // What single outlines tell of the axis goes beyond the apex.
+  for (OutlineSight& sight : sights) sight.axis_point.z() *= 1.2;
+  const auto body = FitRoundBody(sights);
+  ASSERT_TRUE(body);
+  EXPECT_EQ(body->shape, RoundShape::kCone);
+  EXPECT_EQ(Validate(*body), "");
+  EXPECT_EQ(std::min(body->start_radius, body->end_radius), 0);
+  const Eigen::Vector3d& apex = body->start_radius == 0 ? body->start : body->end;
+  EXPECT_LT((apex - Eigen::Vector3d(0, 0, 0.5)).norm(), 1e-4);
+}
+
 TEST(FitRoundBodyTest, ABallIsFound) {
-  const auto body = FitRoundBody(SightsOfShape(RoundShape::kSphere, 0));
+  const auto body = FitRoundBody(SightsOfShape(kBall, 0));
   ASSERT_TRUE(body);
   EXPECT_EQ(body->shape, RoundShape::kSphere);
   EXPECT_EQ(Validate(*body), "");
@@ -101,7 +122,7 @@ TEST(FitRoundBodyTest, ABallIsFound) {
 
 // Noise must not make a cylinder a cone, and the radius is known about as well as it is said to be.
 TEST(FitRoundBodyTest, NoiseIsNoShape) {
-  const auto body = FitRoundBody(SightsOfShape(RoundShape::kCylinder, 0.4));
+  const auto body = FitRoundBody(SightsOfShape(kCylinder, 0.4));
   ASSERT_TRUE(body);
   EXPECT_EQ(body->shape, RoundShape::kCylinder);
   EXPECT_NEAR(body->rms_px, 0.4, 0.1);
@@ -110,7 +131,7 @@ TEST(FitRoundBodyTest, NoiseIsNoShape) {
 }
 
 TEST(FitRoundBodyTest, WhatIsNoRoundBodyHasNone) {
-  std::vector<OutlineSight> sights = SightsOfShape(RoundShape::kCylinder, 0);
+  std::vector<OutlineSight> sights = SightsOfShape(kCylinder, 0);
   for (size_t s = 0; s < sights.size(); s += 3) {
     sights[s].ray = (sights[s].ray + Eigen::Vector3d(0, 0, 0.02)).normalized();
     sights[s].ray +=
@@ -121,14 +142,14 @@ TEST(FitRoundBodyTest, WhatIsNoRoundBodyHasNone) {
 }
 
 TEST(FitRoundBodyTest, ThreeViewsAreTooFew) {
-  std::vector<OutlineSight> sights = SightsOfShape(RoundShape::kCylinder, 0);
+  std::vector<OutlineSight> sights = SightsOfShape(kCylinder, 0);
   std::erase_if(sights, [](const OutlineSight& sight) { return sight.view > 2; });
   EXPECT_FALSE(FitRoundBody(sights));
 }
 
 // One side alone, from views close together: any radius fits.
 TEST(FitRoundBodyTest, ARadiusThatIsNotMeasuredIsNotTold) {
-  std::vector<OutlineSight> sights = SightsOfShape(RoundShape::kCylinder, 0.4, 0.5);
+  std::vector<OutlineSight> sights = SightsOfShape(kCylinder, 0.4, 0.5);
   std::vector<OutlineSight> one_side;
   for (size_t s = 0; s < sights.size(); s += 2) one_side.push_back(sights[s]);
   EXPECT_FALSE(FitRoundBody(one_side));

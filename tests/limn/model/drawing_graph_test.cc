@@ -82,6 +82,31 @@ INSTANTIATE_TEST_SUITE_P(
                  "link 1: evidence not finite"},
         Breakage{"Confidence", [](DrawingGraph* g) { g->links[1].confidence = -0.5; },
                  "link 1: confidence not from 0 to 1"},
+        Breakage{"DepthSigma", [](DrawingGraph* g) { g->links[1].depth_sigma = -2; },
+                 "link 1: standard deviation of its depth below 0"},
+        Breakage{"BodyOfAnEdge",
+                 [](DrawingGraph* g) {
+                   g->links[1].body = {RoundShape::kSphere, {0, 0, 0}, {0, 0, 0}, 1, 1, 0, 0};
+                 },
+                 "link 1: a body, but no contour"},
+        Breakage{"TwoRadiiOfACylinder",
+                 [](DrawingGraph* g) {
+                   g->links[1].kind = LinkKind::kContour;
+                   g->links[1].body = {RoundShape::kCylinder, {0, 0, 0}, {0, 0, 1}, 1, 2, 0, 0};
+                 },
+                 "link 1: a body with two radii"},
+        Breakage{"NegativeRadius",
+                 [](DrawingGraph* g) {
+                   g->links[1].kind = LinkKind::kContour;
+                   g->links[1].body = {RoundShape::kCone, {0, 0, 0}, {0, 0, 1}, -1, 2, 0, 0};
+                 },
+                 "link 1: a number of its body is below 0"},
+        Breakage{"CylinderWithoutAxis",
+                 [](DrawingGraph* g) {
+                   g->links[1].kind = LinkKind::kContour;
+                   g->links[1].body = {RoundShape::kCylinder, {0, 0, 0}, {0, 0, 0}, 1, 1, 0, 0};
+                 },
+                 "link 1: a body has no axis"},
         Breakage{"TriAngle", [](DrawingGraph* g) { g->links[1].tri_angle_deg = 91; },
                  "link 1: triangulation angle not from 0 to 90"},
         Breakage{"ConfidenceNan", [](DrawingGraph* g) { g->links[1].kind_confidence = NAN; },

@@ -165,11 +165,14 @@ TEST(FitOtherCameras, AllElseStays) {
   graph.links[1].tentative = true;
   graph.links[1].doubt = LinkDoubt::kChance;
   graph.links[0].primitive = LinkPrimitive();
+  graph.links[0].kind = LinkKind::kContour;
+  graph.links[0].body = {RoundShape::kSphere, {0, 0, 0}, {0, 0, 0}, 1, 1, 0, 0};
   const DrawingGraph moved = FitOthers(graph, TurnedViews(3)).graph;
   ASSERT_EQ(moved.links.size(), 2u);
   for (int l = 0; l < 2; ++l) {
     EXPECT_EQ(moved.links[l].supporting_views, graph.links[l].supporting_views) << l;
-    EXPECT_EQ(moved.links[l].kind, LinkKind::kPaint) << l;
+    EXPECT_EQ(moved.links[l].kind, graph.links[l].kind) << l;
+    EXPECT_FALSE(moved.links[l].body) << l;
     EXPECT_EQ(moved.links[l].doubt, graph.links[l].doubt) << l;
     EXPECT_FALSE(moved.links[l].primitive) << l;
   }

@@ -89,6 +89,19 @@ TEST_F(EdgelIndexTest, FindsAnEdgelWhereverOneIsInTheGate) {
   EXPECT_LT(num_found, static_cast<int>(queries_.size()));
 }
 
+// More edgels in one cell than are looked at together.
+TEST_F(EdgelIndexTest, TheBestOfManyInOneCell) {
+  std::vector<Edgel> edgels;
+  for (int i = 0; i < 150; ++i) edgels.push_back(testing::MakeEdgel({50, 50 + 0.01 * i}, 0));
+  const EdgeMap many = testing::MakeEdgeMap(view_, edgels);
+  const EdgelIndex index(many, std::vector<bool>(edgels.size(), true));
+  for (const int i : {0, 63, 64, 70, 128, 149}) {
+    const auto best = index.Best({50, 50 + 0.01 * i + 0.001}, Direction(0), {});
+    ASSERT_TRUE(best);
+    EXPECT_EQ(best->edgel, i);
+  }
+}
+
 TEST_F(EdgelIndexTest, ForEachWithinVisitsTheDiscOnce) {
   const EdgelIndex index(edge_map_, usable_);
   for (const double radius : {0.5, 3.0, 11.0}) {

@@ -676,6 +676,7 @@ struct KindOfLink {
   bool tentative = false;
   LinkDoubt doubt = LinkDoubt::kNone;
   double rod_radius = 0;
+  std::optional<RoundBody> body = std::nullopt;
 };
 
 // Joins a link 4 long to one 2 long.
@@ -687,6 +688,7 @@ DrawingLink JoinedKinds(const KindOfLink& longer, const KindOfLink& shorter) {
     link->tentative = from.tentative;
     link->doubt = from.doubt;
     link->rod_radius = from.rod_radius;
+    link->body = from.body;
   };
   set(longer, &graph.links[0]);
   set(shorter, &graph.links[1]);
@@ -780,6 +782,16 @@ TEST(SetKindTest, OnlyContoursHaveABody) {
   GraphEditor(&graph).SetKind(0, LinkKind::kEdge);
   EXPECT_FALSE(graph.links[0].body);
   ExpectValid(graph);
+}
+
+TEST(JoinTest, BodiesGoWithTheKind) {
+  const RoundBody pipe = {RoundShape::kCylinder, {0, 0, 0}, {0, 0, 1}, 1, 1, 0.1, 0.1};
+  const KindOfLink contour = {.kind = LinkKind::kContour, .confidence = 0.9, .body = pipe};
+  const KindOfLink edge = {.kind = LinkKind::kEdge, .confidence = 0.9};
+  EXPECT_EQ(JoinedKinds(contour, edge).body, pipe);
+  EXPECT_EQ(JoinedKinds(edge, contour).body, std::nullopt);
+  const KindOfLink sure = {.kind = LinkKind::kContour, .confidence = 1, .body = pipe};
+  EXPECT_EQ(JoinedKinds({.kind = LinkKind::kEdge, .confidence = 0.1}, sure).body, pipe);
 }
 
 TEST(SplitTest, PartsAreOfTheKindOfTheWhole) {

@@ -56,7 +56,8 @@ function bodyText(drawing, link) {
   const shape = drawing.bodyShape[link];
   if (shape === 0 || LINK_KINDS[drawing.linkKind[link]] !== 'contour') return null;
   const radius = number(drawing.bodyRadius[link]);
-  return `${BODY_SHAPES[shape]}, radius ${radius} ± ${number(drawing.bodyRadiusSigma[link], 2)}`;
+  const sigma = number(drawing.bodyRadiusSigma[link], 2);
+  return `${BODY_SHAPES[shape]}, radius ${radius} ± ${sigma} ${drawing.unit}`;
 }
 
 function linkFacts(drawing, link) {
