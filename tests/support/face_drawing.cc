@@ -98,7 +98,11 @@ LinkId FaceDrawing::AddShape(const CurveShape& shape) {
   link.closed = link.node0 == link.node1;
   link.sigma.assign(link.points_in_world.size(), 0.001);
   link.supporting_views = {0, 1};
-  link.primitive = LinkPrimitive{shape, 0.25, 0.5};
+  // Assigning a whole one makes GCC 12 warn of what shapes of other kinds do not have.
+  LinkPrimitive& primitive = link.primitive.emplace();
+  primitive.shape = shape;
+  primitive.rms_px = 0.25;
+  primitive.max_px = 0.5;
   graph_.links.push_back(std::move(link));
   return static_cast<LinkId>(graph_.links.size()) - 1;
 }

@@ -181,7 +181,7 @@ struct DrawingLink {
   double kind_confidence = 0;  // 0 to 1; 0 if unknown
   // Of a rod, half its thickness, world units; 0 for other kinds.
   double rod_radius = 0;
-  // Of some contours, the body whose outline they are. Links of one body have equal ones.
+  // Of some contours, the body whose outline they are. Those of one fit are equal.
   std::optional<RoundBody> body = std::nullopt;
   // Too little evidence (limn/belief/): left out of exports unless requested.
   bool tentative = false;
