@@ -201,11 +201,14 @@ DrawingGraph Fitted(const DrawingGraph& graph, const std::vector<uint8_t>& refit
   Join(graph, refit, ends, options, context, &fits);
   for (size_t l = 0; l < fits.size(); ++l) {
     if (!refit[l]) continue;
-    auto& primitive = result.links[l].primitive;
-    primitive.reset();
+    result.links[l].primitive.reset();
     result.links[l].regularity.reset();
-    if (!fits[l].fitted || !ValidateShape(fits[l].fitted->shape).empty()) continue;
-    primitive = {fits[l].fitted->shape, fits[l].fitted->rms_px, fits[l].fitted->max_px};
+    const std::optional<FittedShape>& fitted = fits[l].fitted;
+    if (!fitted || !ValidateShape(fitted->shape).empty()) continue;
+    LinkPrimitive& primitive = result.links[l].primitive.emplace();
+    primitive.shape = fitted->shape;
+    primitive.rms_px = fitted->rms_px;
+    primitive.max_px = fitted->max_px;
   }
   return result;
 }
