@@ -33,8 +33,8 @@ from limn.errors import Error, InputError, IoError, OptionError
 __all__ = [
     "Alignment", "Camera", "Curves", "Drawing", "Edges", "Error", "Face", "Faces", "ImageCurves", "ImageEdges",
     "InputError", "IoError", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "RoundBody", "Scene",
-    "Sketch", "SketchCurve", "align", "draw", "edit", "evaluate", "export", "extract_edges", "find_faces", "fuse", "link", "open",
-    "read_drawing", "refine", "refine_cameras", "regularize", "run", "sketch",
+    "Sketch", "SketchCurve", "align", "draw", "edit", "evaluate", "export", "extract_edges", "find_faces", "fuse", "link",
+    "open", "read_drawing", "refine", "refine_cameras", "regularize", "run", "sketch",
 ]
 
 __version__: str = _limn.__version__

@@ -81,38 +81,22 @@ struct SphereCost {
   }
 };
 
-// Unknowns: motions of start and end across the axis, then one radius or two.
-template <typename T>
-T GapOfAxis(const OutlineSight& sight, const AxisFrame& frame, const T* unknowns,
-            const T& start_radius, const T& end_radius) {
-  const Eigen::Matrix<T, 3, 2> across = frame.across.cast<T>();
-  const BodyVector<T> start =
-      frame.start.cast<T>() + across * Eigen::Matrix<T, 2, 1>(unknowns[0], unknowns[1]);
-  const BodyVector<T> end =
-      frame.end.cast<T>() + across * Eigen::Matrix<T, 2, 1>(unknowns[2], unknowns[3]);
-  return GapOfCone<T>(sight, start, end, start_radius, end_radius);
-}
-
-struct CylinderCost {
+// Unknowns: motions of start and end across the axis, then the one radius of a cylinder or the two
+// of a cone.
+template <int kRadii>
+struct AxisCost {
   const OutlineSight& sight;
   const AxisFrame& frame;
 
   template <typename T>
   bool operator()(const T* unknowns, T* residual) const {
+    const Eigen::Matrix<T, 3, 2> across = frame.across.cast<T>();
+    const BodyVector<T> start =
+        frame.start.cast<T>() + across * Eigen::Matrix<T, 2, 1>(unknowns[0], unknowns[1]);
+    const BodyVector<T> end =
+        frame.end.cast<T>() + across * Eigen::Matrix<T, 2, 1>(unknowns[2], unknowns[3]);
     *residual =
-        T(sight.px_per_unit) * GapOfAxis<T>(sight, frame, unknowns, unknowns[4], unknowns[4]);
-    return true;
-  }
-};
-
-struct ConeCost {
-  const OutlineSight& sight;
-  const AxisFrame& frame;
-
-  template <typename T>
-  bool operator()(const T* unknowns, T* residual) const {
-    *residual =
-        T(sight.px_per_unit) * GapOfAxis<T>(sight, frame, unknowns, unknowns[4], unknowns[5]);
+        T(sight.px_per_unit) * GapOfCone<T>(sight, start, end, unknowns[4], unknowns[3 + kRadii]);
     return true;
   }
 };
@@ -222,44 +206,30 @@ void CutAtApex(RoundBody* cone) {
   }
 }
 
-template <size_t kUnknowns>
-RoundBody BodyOnAxis(RoundShape shape, const AxisFrame& frame,
-                     const std::array<double, kUnknowns>& unknowns) {
+// A cylinder, with one radius, or a cone, with two.
+template <int kRadii>
+std::optional<FittedBody> FitOnAxis(const std::vector<OutlineSight>& sights, const AxisFrame& frame,
+                                    double radius) {
+  constexpr int kUnknowns = 4 + kRadii;
+  std::array<double, kUnknowns> unknowns = {};
+  std::fill(unknowns.begin() + 4, unknowns.end(), radius);
+  const auto covariance = Solve<kUnknowns>(
+      sights,
+      [&](const OutlineSight& sight) {
+        return new ceres::AutoDiffCostFunction<AxisCost<kRadii>, 1, kUnknowns>(
+            new AxisCost<kRadii>{sight, frame});
+      },
+      &unknowns);
+  if (!covariance) return std::nullopt;
   RoundBody body;
-  body.shape = shape;
+  body.shape = kRadii == 1 ? RoundShape::kCylinder : RoundShape::kCone;
   body.start = frame.start + frame.across * Eigen::Vector2d(unknowns[0], unknowns[1]);
   body.end = frame.end + frame.across * Eigen::Vector2d(unknowns[2], unknowns[3]);
   body.start_radius = unknowns[4];
   body.end_radius = unknowns.back();
-  if (shape == RoundShape::kCone) CutAtApex(&body);
-  return body;
-}
-
-std::optional<FittedBody> FitCylinder(const std::vector<OutlineSight>& sights,
-                                      const AxisFrame& frame, double radius) {
-  std::array<double, 5> unknowns = {0, 0, 0, 0, radius};
-  const auto covariance = Solve<5>(
-      sights,
-      [&](const OutlineSight& sight) {
-        return new ceres::AutoDiffCostFunction<CylinderCost, 1, 5>(new CylinderCost{sight, frame});
-      },
-      &unknowns);
-  if (!covariance) return std::nullopt;
-  return Measure(sights, BodyOnAxis(RoundShape::kCylinder, frame, unknowns), (*covariance)(4, 4));
-}
-
-std::optional<FittedBody> FitCone(const std::vector<OutlineSight>& sights, const AxisFrame& frame,
-                                  double radius) {
-  std::array<double, 6> unknowns = {0, 0, 0, 0, radius, radius};
-  const auto covariance = Solve<6>(
-      sights,
-      [&](const OutlineSight& sight) {
-        return new ceres::AutoDiffCostFunction<ConeCost, 1, 6>(new ConeCost{sight, frame});
-      },
-      &unknowns);
-  if (!covariance) return std::nullopt;
-  const double of_mean = covariance->template bottomRightCorner<2, 2>().sum() / 4;
-  return Measure(sights, BodyOnAxis(RoundShape::kCone, frame, unknowns), of_mean);
+  if (body.shape == RoundShape::kCone) CutAtApex(&body);
+  const double of_radii = covariance->template bottomRightCorner<kRadii, kRadii>().sum();
+  return Measure(sights, body, of_radii / (kRadii * kRadii));
 }
 
 bool IsCredible(const FittedBody& fitted) {
@@ -306,8 +276,8 @@ std::optional<RoundBody> FitRoundBody(const std::vector<OutlineSight>& sights) {
   std::vector<std::optional<FittedBody>> fits = {
       FitSphere(sights, 0.5 * (frame.start + frame.end), radius)};
   if ((frame.end - frame.start).norm() * px_per_unit > kMinAxisPx) {
-    fits.push_back(FitCylinder(sights, frame, radius));
-    fits.push_back(FitCone(sights, frame, radius));
+    fits.push_back(FitOnAxis<1>(sights, frame, radius));
+    fits.push_back(FitOnAxis<2>(sights, frame, radius));
   }
   std::optional<FittedBody> best;
   for (const std::optional<FittedBody>& fit : fits) {

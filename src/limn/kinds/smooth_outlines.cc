@@ -138,6 +138,25 @@ std::vector<std::vector<size_t>> OutlinesOfBodies(const std::vector<OutlineEvide
   return bodies;
 }
 
+// Gives outlines the bodies that fit them; returns how many there are.
+int64_t TellBodies(const TopologyInput& images, const ViewFinder& finder,
+                   const std::vector<OutlineEvidence>& evidence,
+                   const std::vector<std::vector<size_t>>& outlines, const RunContext& context,
+                   std::vector<DrawingLink>* links) {
+  const auto bodies = MapItems(context, "round bodies", outlines.size(), [&](size_t b) {
+    std::vector<OutlineSight> sights;
+    for (const size_t l : outlines[b]) {
+      const auto of_link = SightsOfOutline(images, finder, (*links)[l], evidence[l].body);
+      sights.insert(sights.end(), of_link.begin(), of_link.end());
+    }
+    return FitRoundBody(sights);
+  });
+  for (size_t b = 0; b < outlines.size(); ++b) {
+    for (const size_t l : outlines[b]) (*links)[l].body = bodies[b];
+  }
+  return std::ranges::count_if(bodies, [](const auto& body) { return body.has_value(); });
+}
+
 }  // namespace
 
 OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& context) {
@@ -158,25 +177,15 @@ OutlinesResult FindSmoothOutlines(const OutlinesInput& input, const RunContext& 
     links[l].kind = LinkKind::kContour;
     links[l].kind_confidence = Logistic(evidence[l].log_ratio);
   }
-  std::vector<std::vector<size_t>> outlines;
-  if (input.fit_bodies) outlines = OutlinesOfBodies(evidence, are_outlines);
-  const auto bodies = MapItems(context, "round bodies", outlines.size(), [&](size_t b) {
-    std::vector<OutlineSight> sights;
-    for (const size_t l : outlines[b]) {
-      const auto of_link = SightsOfOutline(images, finder, links[l], evidence[l].body);
-      sights.insert(sights.end(), of_link.begin(), of_link.end());
-    }
-    return FitRoundBody(sights);
-  });
-  for (size_t b = 0; b < outlines.size(); ++b) {
-    for (const size_t l : outlines[b]) links[l].body = bodies[b];
+  int64_t num_bodies = 0;
+  if (input.fit_bodies) {
+    num_bodies = TellBodies(images, finder, evidence, OutlinesOfBodies(evidence, are_outlines),
+                            context, &links);
   }
   result.summary.stage = "outlines of smooth bodies";
   result.summary.in = {{"links", std::ssize(links)}};
   result.summary.kept = {{"links: outlines", std::ranges::count(are_outlines, 1)},
-                         {"round bodies", std::ranges::count_if(bodies, [](const auto& body) {
-                            return body.has_value();
-                          })}};
+                         {"round bodies", num_bodies}};
   return result;
 }
 
