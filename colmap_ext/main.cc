@@ -22,6 +22,7 @@
 #include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/util/errors.h"
 #include "limn/util/latest_stage.h"
+#include "limn/util/return_memory.h"
 
 namespace {
 
@@ -123,6 +124,7 @@ int main(int argc, char** argv) {
   // A file beyond the limit on sizes is then a failed write, with a line that names it.
   std::signal(SIGXFSZ, SIG_IGN);
   HideLinesOfDecoders();
+  limn::KeepFreedMemory();
   try {
     if (PrintHelp(argc, argv)) return 0;
     const MpiSession mpi;

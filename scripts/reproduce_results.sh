@@ -12,6 +12,7 @@ rm -f build/quality/report.json
 scripts/stereo_worth.sh
 scripts/quality_report.sh --sets $sets --data_path "$data"
 scripts/pose_ladder.sh --data_path "$data"
+scripts/measure_street.sh
 /usr/bin/python3 scripts/bench/results_page.py build/quality/report.json "$(git describe --always --dirty)" datasets build/ladder/ladder.md \
-  build/stereo_worth/section.md
+  build/stereo_worth/section.md build/street/section.md
 echo "Look at: datasets/RESULTS.md"

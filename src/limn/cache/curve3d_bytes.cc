@@ -31,18 +31,21 @@ class AnchorEdgels {
  public:
   AnchorEdgels(const ByteReader& in, const CurveAnchor& anchor, size_t num_samples,
                const std::vector<ImageCurves>& curves)
-      : view_(anchor.view), begin_(anchor.begin) {
+      : anchor_(anchor) {
     const auto& fragments = curves[anchor.view].fragments;
     in.Check(IsIndexOf(anchor.fragment, fragments), "fragment out of range");
     ids_ = &fragments[anchor.fragment].edgel_ids;
-    in.Check(IsIndexOf(anchor.begin, *ids_) && num_samples <= ids_->size(),
+    in.Check(anchor.step > 0, "step of samples not positive");
+    const size_t most = (ids_->size() + anchor.step - 1) / anchor.step;
+    in.Check(IsIndexOf(anchor.begin, *ids_) && num_samples <= most,
              "the curve is not in its fragment");
   }
-  EdgelRef Of(size_t sample) const { return {view_, (*ids_)[(begin_ + sample) % ids_->size()]}; }
+  EdgelRef Of(size_t sample) const {
+    return {anchor_.view, (*ids_)[anchor_.VertexOf(sample, ids_->size())]};
+  }
 
  private:
-  ViewId view_;
-  size_t begin_;
+  CurveAnchor anchor_;
   const std::vector<EdgelId>* ids_;
 };
 
@@ -79,6 +82,7 @@ void PutCurve3d(const Curve3D& curve, ByteWriter* out) {
   out->Put<int32_t>(curve.anchor.view);
   out->Put<int32_t>(curve.anchor.fragment);
   out->Put<int32_t>(curve.anchor.begin);
+  out->Put<int32_t>(curve.anchor.step);
   out->Put<uint8_t>(curve.closed);
   out->Put(curve.total_support);
   out->PutCount(curve.size());
@@ -100,6 +104,7 @@ Curve3D GetCurve3d(ByteReader* in, const std::vector<ImageCurves>& curves) {
   curve.anchor.view = in->Get<int32_t>();
   curve.anchor.fragment = in->Get<int32_t>();
   curve.anchor.begin = in->Get<int32_t>();
+  curve.anchor.step = in->Get<int32_t>();
   in->Check(IsIndexOf(curve.anchor.view, curves), "view out of range");
   curve.closed = in->GetFlag();
   curve.total_support = in->Get<double>();

@@ -102,7 +102,7 @@ class SupportReader {
       GetRuns(v - 1, curve->size());
     }
     for (size_t s = 0; s < curve->size(); ++s) {
-      Append(s, own[(curve->anchor.begin + s) % own.size()], curve);
+      Append(s, own[curve->anchor.VertexOf(s, own.size())], curve);
     }
     curve->support.edgels.shrink_to_fit();
   }

@@ -13,7 +13,7 @@ namespace limn {
 namespace {
 
 constexpr std::string_view kMagic = "limnfile";
-constexpr uint32_t kFormatVersion = 6;
+constexpr uint32_t kFormatVersion = 7;
 
 // Of bytes that follow others with this checksum.
 uint32_t Checksum(std::string_view bytes, uint32_t of_others = 0) {

@@ -43,6 +43,7 @@ void PutDepths(const ViewDepths& depths, ByteWriter* out) {
     }
   }
   out->Put(depths.spacing_px);
+  out->Put<int32_t>(depths.sample_step);
   PutPacked(is_long, out);
   PutPacked(found, out);
   PutPacked(numbers.inverse_depth, out);
@@ -55,6 +56,8 @@ class DepthReader {
   explicit DepthReader(ByteReader* in) : in_(*in) {
     spacing_px_ = in->Get<double>();
     in->Check(spacing_px_ > 0, "spacing of samples not positive");
+    sample_step_ = in->Get<int32_t>();
+    in->Check(sample_step_ > 0, "step of samples not positive");
     is_long_ = GetPacked<uint8_t>(in);
     found_ = GetPacked<uint8_t>(in);
     numbers_.inverse_depth = GetPacked<double>(in);
@@ -69,6 +72,7 @@ class DepthReader {
     in_.Check(is_long_.size() == curves.fragments.size(), "not the fragments of the view");
     ViewDepths depths;
     depths.spacing_px = spacing_px_;
+    depths.sample_step = sample_step_;
     depths.of_fragment.resize(is_long_.size());
     for (size_t f = 0; f < is_long_.size(); ++f) {
       if (!is_long_[f]) continue;
@@ -106,6 +110,7 @@ class DepthReader {
 
   const ByteReader& in_;  // for messages
   double spacing_px_ = 0;
+  int sample_step_ = 1;
   std::vector<uint8_t> is_long_;  // per fragment
   std::vector<uint8_t> found_;
   DepthNumbers numbers_;

@@ -17,7 +17,7 @@ namespace limn {
 namespace {
 
 // How the constants were chosen: algorithm/drawing.md#what-was-measured.
-constexpr int kConsensusRounds = 5;
+constexpr int kConsensusRounds = 3;
 // A sample that moves by less has settled, px.
 constexpr double kSettledPx = 0.02;
 // Samples farther than this in space, px, or at a larger angle do not count.

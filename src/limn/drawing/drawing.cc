@@ -17,9 +17,9 @@ struct DrawingCounts {
   CompletionCounts completion;
 };
 
-// Samples of the sketch are about a pixel apart in each view that sees an edge. Half of them say as
-// much (algorithm/drawing.md#what-was-measured).
-constexpr int kTracedStep = 2;
+// Vertices of image curves are about a pixel apart in each view that sees an edge. A third of them
+// say as much (algorithm/drawing.md#what-was-measured).
+constexpr int kVerticesPerSample = 3;
 
 using Counts = decltype(StageSummary::in);
 
@@ -100,8 +100,8 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   DrawingCounts counts;
   DrawingResult result;
   {
-    const SampleSet samples =
-        Retriangulate(input.sketch, kTracedStep, images, options, context, &counts.retriangulation);
+    const SampleSet samples = Retriangulate(input.sketch, kVerticesPerSample, images, options,
+                                            context, &counts.retriangulation);
     result.fates = FatesOf(input.sketch, samples);
     result.graph = TraceCurves(samples, options.tracing, context, &counts.tracing);
   }

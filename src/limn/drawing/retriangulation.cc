@@ -20,7 +20,7 @@ constexpr int kGaussNewtonSteps = 3;
 // Standard deviation of the weak pull to the start of a step, px. It decides only what the edgels
 // leave open.
 constexpr double kPriorSigmaPx = 3;
-// Samples of the sketch to either side between which the direction of a curve is measured.
+// Vertices of the image curve to either side between which the direction of a curve is measured.
 constexpr int kTangentReach = 2;
 
 struct MovedCurve {
@@ -29,18 +29,29 @@ struct MovedCurve {
   std::vector<uint8_t> supported;  // per sample: by enough views
 };
 
+// Samples of a curve of the sketch per sample that is moved.
+int StepOf(const Curve3D& curve, int vertices_per_sample) {
+  return std::max(1, vertices_per_sample / curve.anchor.step);
+}
+
 // Moves every `step`-th sample of one curve of the sketch.
 class CurveRetriangulation {
  public:
   CurveRetriangulation(const Curve3D& curve, int step, const TopologyInput& images,
                        const ViewFinder& finder, const DrawingOptions& options)
-      : curve_(curve), step_(step), images_(images), finder_(finder), options_(options) {}
+      : curve_(curve),
+        step_(step),
+        vertices_per_sample_(step * curve.anchor.step),
+        images_(images),
+        finder_(finder),
+        options_(options) {}
 
   MovedCurve Run() {
     Take();
     for (int round = 0; round < kRounds; ++round) {
       for (int s = 0; s < samples_.NumSamples(); ++s) MoveToEdgels(s);
-      samples_.position = SmoothCurve(samples_, curve_.closed, step_ * options_.bending_sigma_px);
+      samples_.position =
+          SmoothCurve(samples_, curve_.closed, vertices_per_sample_ * options_.bending_sigma_px);
       UpdateTangents();
       UpdateSupport();
     }
@@ -79,7 +90,7 @@ class CurveRetriangulation {
   }
 
   void UpdateTangents() {
-    const int reach = std::max(1, kTangentReach / step_);
+    const int reach = std::max(1, kTangentReach / vertices_per_sample_);
     for (int s = 0; s < samples_.NumSamples(); ++s) {
       const Eigen::Vector3d tangent = DirectionAt(samples_.position, curve_.closed, s, reach);
       if (!tangent.isZero(0)) samples_.tangent[s] = tangent;
@@ -121,6 +132,7 @@ class CurveRetriangulation {
 
   const Curve3D& curve_;
   const int step_;
+  const int vertices_per_sample_;
   const TopologyInput& images_;
   const ViewFinder& finder_;
   const DrawingOptions& options_;
@@ -156,26 +168,35 @@ int AppendPieces(const MovedCurve& curve, const CurveOrigin& whole, double min_l
 
 }  // namespace
 
-SampleSet Retriangulate(const CurveSketch& sketch, int step, const TopologyInput& images,
-                        const DrawingOptions& options, const RunContext& context,
-                        RetriangulationStats* stats) {
+SampleSet Retriangulate(const CurveSketch& sketch, int vertices_per_sample,
+                        const TopologyInput& images, const DrawingOptions& options,
+                        const RunContext& context, RetriangulationStats* stats) {
   SampleSet samples;
+  size_t num_samples = 0;
   size_t num_edgels = 0;
   for (const Curve3D& curve : sketch.curves) {
+    const int step = StepOf(curve, vertices_per_sample);
     stats->samples_in += static_cast<int64_t>(curve.size());
-    num_edgels += curve.support.edgels.size();
+    num_samples += curve.size() / step + 1;
+    num_edgels += curve.support.edgels.size() / step;
   }
-  Reserve(stats->samples_in / step + sketch.curves.size(), num_edgels / step, &samples);
+  Reserve(num_samples, num_edgels, &samples);
   const ViewFinder finder(images.views);
   MapItemsInBlocks(
       context, "re-triangulation", sketch.curves.size(),
       [&](size_t c) {
-        return CurveRetriangulation(sketch.curves[c], step, images, finder, options).Run();
+        const Curve3D& curve = sketch.curves[c];
+        const int step = StepOf(curve, vertices_per_sample);
+        return CurveRetriangulation(curve, step, images, finder, options).Run();
       },
       [&](size_t c, const MovedCurve& moved) {
         const Curve3D& curve = sketch.curves[c];
-        const CurveOrigin whole = {static_cast<int>(c), 0,    curve.anchor.view,
-                                   curve.closed,        step, static_cast<int>(curve.size())};
+        const CurveOrigin whole = {static_cast<int>(c),
+                                   0,
+                                   curve.anchor.view,
+                                   curve.closed,
+                                   StepOf(curve, vertices_per_sample),
+                                   static_cast<int>(curve.size())};
         stats->piece_too_short += AppendPieces(moved, whole, options.min_piece_length_px, &samples);
       });
   stats->too_few_views = stats->samples_in - stats->piece_too_short;

@@ -57,8 +57,16 @@ EdgelFates AccountEdgels(const AccountInput& input, const RunContext& context) {
   for (size_t c = 0; c < input.sketch.curves.size(); ++c) {
     const CurveAnchor& anchor = input.sketch.curves[c].anchor;
     const auto& ids = input.scene.curves[anchor.view].fragments[anchor.fragment].edgel_ids;
-    for (size_t s = 0; s < input.sample_fates[c].size(); ++s) {
-      fates[anchor.view][ids[(anchor.begin + s) % ids.size()]] = input.sample_fates[c][s];
+    const std::vector<EdgelFate>& of_samples = input.sample_fates[c];
+    // A sample stands for the edgels up to the next one. Behind the last the sketch goes on as far
+    // as its fates say.
+    for (size_t s = 0; s < of_samples.size(); ++s) {
+      for (int k = 0; k < anchor.step; ++k) {
+        const size_t vertex = (anchor.VertexOf(s, ids.size()) + k) % ids.size();
+        EdgelFate& fate = fates[anchor.view][ids[vertex]];
+        if (k > 0 && fate != EdgelFate::kSketched) break;
+        fate = of_samples[s];
+      }
     }
   }
   ParallelFor(context, "account", input.scene.views.size(), [&](size_t v) {

@@ -36,12 +36,18 @@ struct SupportLists {
   }
 };
 
-// The image curve a 3D curve was made from: sample s comes from vertex (begin + s) of the fragment
-// (modulo its size when the fragment is closed).
+// The image curve a 3D curve was made from: samples come from every `step`-th vertex of the
+// fragment, from `begin` on.
 struct CurveAnchor {
   ViewId view = -1;
   int fragment = -1;
   int begin = 0;
+  int step = 1;
+
+  // The vertex of a sample: fragments of `fragment_size` vertices that are closed begin anew.
+  size_t VertexOf(size_t sample, size_t fragment_size) const {
+    return (begin + step * sample) % fragment_size;
+  }
 };
 
 // A reconstructed curve, made by every sketch generator and used by the drawing.

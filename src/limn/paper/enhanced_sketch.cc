@@ -125,7 +125,7 @@ SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& 
       "enhanced sketch", input, options, context, store, [&](const PrimaryView& primary) {
         // std::function copies what it calls.
         const auto depths = std::make_shared<PairedDepths>(primary);
-        return DepthFinder{kSampleSpacingPx, [depths](const FragmentRays& fragment) {
+        return DepthFinder{kSampleSpacingPx, 1, [depths](const FragmentRays& fragment) {
                              return depths->Find(fragment);
                            }};
       });

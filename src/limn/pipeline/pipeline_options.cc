@@ -9,6 +9,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Where time counts less than what few views see.
+constexpr int kManyPrimaryViews = 20;
+
 template <typename Options>
 Json FieldsAsJson(const Options& options) {
   Json json = Json::object();
@@ -67,6 +70,7 @@ QualityPreset PresetOf(Quality quality) {
       preset.max_scale = 2;
       views.max_second_views = 20;
       views.max_confirmation_views = 32;
+      views.enough_primary_views = kManyPrimaryViews;
       break;
   }
   return preset;
@@ -77,6 +81,7 @@ void SetMethodDefaults(DrawingMethod method, PipelineOptions* options) {
   if (!options->IsPaper()) return;
   options->sketch.averaging = DepthAveraging::kPaper;
   options->sketch.min_supporting_views = 6;
+  options->sketch.view_selection.enough_primary_views = kManyPrimaryViews;
 }
 
 const char* DrawingMethodName(DrawingMethod method) {

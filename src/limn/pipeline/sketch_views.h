@@ -10,7 +10,7 @@
 namespace limn {
 
 // Increment it when the sketch of the same input changes, so that stored ones are remade.
-constexpr int kSketchVersion = 6;
+constexpr int kSketchVersion = 7;
 
 // BuildSketch with the cache (never null), which stores the sketch of every view: a stopped run
 // resumes, and after a change of images or cameras only the affected views are sketched again. The

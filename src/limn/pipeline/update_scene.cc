@@ -163,7 +163,7 @@ Curve3D Part(const Curve3D& curve, size_t begin, size_t end) {
   part.depth_sigma = Part(curve.depth_sigma, begin, end);
   part.certain = Part(curve.certain, begin, end);
   part.anchor = curve.anchor;
-  part.anchor.begin += static_cast<int>(begin);
+  part.anchor.begin += curve.anchor.step * static_cast<int>(begin);
   for (size_t i = begin; i < end; ++i) part.support.Append(curve.support.Of(i));
   return part;
 }

@@ -45,9 +45,14 @@ constexpr double kMinThicknesses = 5;
 constexpr int kMinRodViews = 6;
 constexpr double kMinLogRatio = 0.5;
 constexpr double kMaxRodRmsPx = 0.36;
+// The same of a short piece, which is extended before it is judged.
+constexpr double kMaxPieceRmsPx = 0.42;
 // A seed is part of a rod if this share of its axis is within its outlines and this many px.
 constexpr double kSameShare = 0.5;
 constexpr double kSamePx = 1.5;
+// Rods that are extended at the same time, whatever the number of threads: they do not see each
+// other.
+constexpr size_t kGrownTogether = 8;
 
 bool IsThin(const Rod& rod) {
   const double radius_px = rod.radius / rod.footprint;
@@ -80,9 +85,9 @@ class RodFinder {
         finder_(views_) {}
 
   std::vector<FoundRod> Find(const DrawingGraph& graph, const RunContext& context) const {
-    const std::vector<Rod> seeds = FindRodSeeds(views_, graph, context);
+    const std::vector<RodSeed> seeds = FindRodSeeds(views_, graph, context);
     const auto fitted = MapItems(context, "rods", seeds.size(), [&](size_t s) {
-      const auto found = Fitted(seeds[s], kSeedGates);
+      const auto found = Fitted(seeds[s].rod, seeds[s].views, kSeedGates);
       return found && MayBeRod(found->evidence) ? std::optional(found->rod) : std::nullopt;
     });
     std::vector<Rod> suggested;
@@ -91,27 +96,44 @@ class RodFinder {
     }
     std::ranges::stable_sort(suggested, std::greater<>(),
                              [](const Rod& rod) { return Length(rod.axis) / rod.footprint; });
-    std::vector<FoundRod> found;
-    std::vector<Rod> rods;
-    std::vector<Rod> refused;  // where two fixed lines are better
-    for (Rod& rod : suggested) {
-      ThrowIfCancelled(context);
-      if (IsPartOfOne(rod, rods) || IsPartOfOne(rod, refused)) continue;
-      GrowRod(images_, finder_, rods, &rod);
-      auto grown = Fitted(rod, kFinalGates);
-      if (!grown || !IsLong(grown->rod) || IsPartOfOne(grown->rod, rods)) continue;
-      if (grown->evidence.log_ratio < 0) refused.push_back(grown->rod);
-      if (!IsRod(grown->evidence)) continue;
-      rods.push_back(grown->rod);
-      found.push_back(*std::move(grown));
+    Decided decided;
+    for (size_t begin = 0; begin < suggested.size(); begin += kGrownTogether) {
+      const size_t size = std::min(kGrownTogether, suggested.size() - begin);
+      std::vector<std::optional<FoundRod>> grown(size);
+      ParallelFor(PartOf(context, begin, suggested.size()), "long rods", size,
+                  [&](size_t i) { grown[i] = Grown(suggested[begin + i], decided); });
+      for (std::optional<FoundRod>& rod : grown) {
+        if (rod && !IsPartOfOne(rod->rod, decided.rods)) Decide(*std::move(rod), &decided);
+      }
     }
-    return found;
+    return std::move(decided.found);
   }
 
  private:
+  struct Decided {
+    std::vector<FoundRod> found;
+    std::vector<Rod> rods;     // of found
+    std::vector<Rod> refused;  // where two fixed lines are better
+  };
+
+  // Nothing if the rod is part of one that was decided on, or none.
+  std::optional<FoundRod> Grown(Rod rod, const Decided& decided) const {
+    if (IsPartOfOne(rod, decided.rods) || IsPartOfOne(rod, decided.refused)) return std::nullopt;
+    GrowRod(images_, finder_, decided.rods, &rod);
+    auto grown = Fitted(rod, finder_.NearAnyOf(rod.axis), kFinalGates);
+    return grown && IsLong(grown->rod) ? std::move(grown) : std::nullopt;
+  }
+
+  static void Decide(FoundRod rod, Decided* decided) {
+    if (rod.evidence.log_ratio < 0) decided->refused.push_back(rod.rod);
+    if (!IsRod(rod.evidence)) return;
+    decided->rods.push_back(rod.rod);
+    decided->found.push_back(std::move(rod));
+  }
+
   // Nothing if the images do not show a rod.
-  std::optional<FoundRod> Fitted(Rod rod, std::span<const SupportGate> gates) const {
-    const std::vector<ViewId> views = finder_.NearAnyOf(rod.axis);
+  std::optional<FoundRod> Fitted(Rod rod, std::span<const ViewId> views,
+                                 std::span<const SupportGate> gates) const {
     FitRod(images_, views, gates, 0, &rod);
     if (!IsThin(rod)) return std::nullopt;
     FoundRod found;
@@ -125,7 +147,9 @@ class RodFinder {
   }
 
   // Of a short piece of one.
-  static bool MayBeRod(const RodEvidence& evidence) { return evidence.log_ratio > 0; }
+  static bool MayBeRod(const RodEvidence& evidence) {
+    return evidence.log_ratio > 0 && evidence.rms_px <= kMaxPieceRmsPx;
+  }
 
   static bool IsRod(const RodEvidence& evidence) {
     return evidence.num_views >= kMinRodViews && evidence.log_ratio >= kMinLogRatio &&

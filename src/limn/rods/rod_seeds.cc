@@ -65,7 +65,7 @@ void KeepLonger(Run run, Run* longest) {
 class SeedFinder {
  public:
   SeedFinder(const std::vector<View>& views, const DrawingGraph& graph)
-      : places_(PlacesOf(views, graph)), index_(Positions(places_)) {
+      : graph_(graph), places_(PlacesOf(views, graph)), index_(Positions(places_)) {
     for (size_t p = 0; p < places_.size(); ++p) {
       if (p == 0 || places_[p].link != places_[p - 1].link) first_.push_back(p);
     }
@@ -75,10 +75,11 @@ class SeedFinder {
   size_t NumLinks() const { return first_.size() - 1; }
 
   // Of the n-th link and those after it.
-  std::vector<Rod> SeedsOf(size_t n) const {
+  std::vector<RodSeed> SeedsOf(size_t n) const {
     std::map<LinkId, Run> longest;
     std::map<LinkId, Run> current;
-    std::vector<Rod> seeds;
+    std::vector<RodSeed> seeds;
+    const LinkPlace& begin = places_[first_[n]];
     for (size_t p = first_[n]; p < first_[n + 1]; ++p) {
       std::map<LinkId, Run> next;
       for (const auto& [other, place] : Beside(p)) {
@@ -95,7 +96,7 @@ class SeedFinder {
     for (auto& [other, run] : current) KeepLonger(std::move(run), &longest[other]);
     for (const auto& [other, run] : longest) {
       if (std::ssize(run.middles) < kMinRun) continue;
-      seeds.push_back(SeedFrom(run, places_[first_[n]].footprint));
+      seeds.push_back({RodFrom(run, begin.footprint), ViewsOfEither(begin.link, other)});
     }
     return seeds;
   }
@@ -130,11 +131,19 @@ class SeedFinder {
     return beside;
   }
 
-  static Rod SeedFrom(const Run& run, double footprint) {
+  std::vector<ViewId> ViewsOfEither(LinkId a, LinkId b) const {
+    std::vector<ViewId> views;
+    std::ranges::set_union(graph_.links[a].supporting_views, graph_.links[b].supporting_views,
+                           std::back_inserter(views));
+    return views;
+  }
+
+  static Rod RodFrom(const Run& run, double footprint) {
     return {ResampleUniform(run.middles, kAxisStepPx * footprint), Median(run.distances) / 2,
             footprint};
   }
 
+  const DrawingGraph& graph_;
   std::vector<LinkPlace> places_;
   std::vector<size_t> first_;  // place of each link, and the number of places
   SpatialIndex index_;
@@ -142,13 +151,15 @@ class SeedFinder {
 
 }  // namespace
 
-std::vector<Rod> FindRodSeeds(const std::vector<View>& views, const DrawingGraph& graph,
-                              const RunContext& context) {
+std::vector<RodSeed> FindRodSeeds(const std::vector<View>& views, const DrawingGraph& graph,
+                                  const RunContext& context) {
   const SeedFinder finder(views, graph);
   const auto of_link = MapItems(context, "pairs of links", finder.NumLinks(),
                                 [&](size_t n) { return finder.SeedsOf(n); });
-  std::vector<Rod> seeds;
-  for (const std::vector<Rod>& some : of_link) seeds.insert(seeds.end(), some.begin(), some.end());
+  std::vector<RodSeed> seeds;
+  for (const std::vector<RodSeed>& of_one : of_link) {
+    seeds.insert(seeds.end(), of_one.begin(), of_one.end());
+  }
   return seeds;
 }
 

@@ -71,6 +71,7 @@ ViewDepths FindDepths(const PrimaryView& primary, const DepthFinder& finder,
   const ImageCurves& curves = primary.input.scene.curves[primary.id];
   ViewDepths depths;
   depths.spacing_px = finder.spacing_px;
+  depths.sample_step = finder.sample_step;
   depths.of_fragment.resize(curves.fragments.size());
   for (size_t f = 0; f < curves.fragments.size(); ++f) {
     ThrowIfCancelled(context);

@@ -37,9 +37,11 @@ struct PrimaryView {
   Rigid3d world_from_cam;
 };
 
-// Finds the depths of one fragment, given by samples `spacing_px` apart.
+// Finds the depths of one fragment, given by vertices `spacing_px` apart, of which curves with a
+// sample at every `sample_step`-th vertex are made.
 struct DepthFinder {
   double spacing_px = 0;
+  int sample_step = 1;
   std::function<DepthProfile(const FragmentRays&)> find;
 };
 

@@ -14,7 +14,8 @@ class SketchMaker {
     sketch_.fates = FatesOutsideFragments(curves.edge_map);
   }
 
-  void Add(int fragment_id, double spacing_px, const DepthProfile& profile) {
+  void Add(int fragment_id, const ViewDepths& of_view) {
+    const DepthProfile& profile = of_view.of_fragment[fragment_id];
     const FragmentRays fragment = MakeFragmentRays(view_, curves_, fragment_id);
     if (profile.depths.empty()) {
       for (size_t i = 0; i < fragment.size(); ++i) {
@@ -22,7 +23,7 @@ class SketchMaker {
       }
       return;
     }
-    const std::vector<int> vertices = SpacedVertices(fragment, spacing_px);
+    const std::vector<int> vertices = SpacedVertices(fragment, of_view.spacing_px);
     for (size_t i = 0; i < vertices.size(); ++i) {
       const EdgelFate fate =
           profile.depths[i].has_depth ? EdgelFate::kPieceTooShort : profile.fates[i];
@@ -35,7 +36,7 @@ class SketchMaker {
       for (int k = 0; k < run.size; ++k) {
         Fate(fragment_id, (run.begin + k) % fragment.size()) = EdgelFate::kSketched;
       }
-      Curve3D curve = MakeCurve(view_, fragment, depths, run);
+      Curve3D curve = MakeCurve(view_, fragment, depths, run, of_view.sample_step);
       curve.anchor.view = id_;
       curve.anchor.fragment = fragment_id;
       sketch_.curves.push_back(std::move(curve));
@@ -67,7 +68,7 @@ ViewSketch SketchOfDepths(ViewId id, const View& view, const ImageCurves& curves
                           const ViewDepths& depths) {
   SketchMaker maker(id, view, curves);
   for (size_t f = 0; f < curves.fragments.size(); ++f) {
-    maker.Add(static_cast<int>(f), depths.spacing_px, depths.of_fragment[f]);
+    maker.Add(static_cast<int>(f), depths);
   }
   return maker.Take();
 }

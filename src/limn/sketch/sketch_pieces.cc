@@ -218,10 +218,11 @@ Eigen::Vector3d TangentInCam(const PinholeCamera& camera, const FragmentRays& fr
 }
 
 Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
-                  const std::vector<FusedDepth>& depths, const VertexRun& run) {
+                  const std::vector<FusedDepth>& depths, const VertexRun& run, int step) {
   Curve3D curve;
   curve.closed = run.closed;
   curve.anchor.begin = run.begin;
+  curve.anchor.step = step;
   const int count = static_cast<int>(fragment.size());
   const Rigid3d world_from_cam = Inverse(view.cam_from_world);
   std::vector<double> arc, inverse_depth, weight;
@@ -231,12 +232,13 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
     inverse_depth.push_back(depths[i].inverse_depth);
     weight.push_back(depths[i].weight + 1e-9);
   }
-  curve.points_in_world.reserve(run.size);
-  curve.tangents_in_world.reserve(run.size);
-  curve.depth_sigma.reserve(run.size);
-  curve.certain.reserve(run.size);
+  const int num_samples = (run.size + step - 1) / step;
+  curve.points_in_world.reserve(num_samples);
+  curve.tangents_in_world.reserve(num_samples);
+  curve.depth_sigma.reserve(num_samples);
+  curve.certain.reserve(num_samples);
   const double focal = view.camera.MeanFocal();
-  for (int k = 0; k < run.size; ++k) {
+  for (int k = 0; k < run.size; k += step) {
     const int i = (run.begin + k) % count;
     const double q = inverse_depth[k];
     const Eigen::Vector3d point = fragment.rays[i] / q;
@@ -262,7 +264,7 @@ void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurve
   curve->support.offsets.reserve(curve->size() + 1);
   for (size_t s = 0; s < curve->size(); ++s) {
     of_sample.clear();
-    const EdgelId own = fragment.edgel_ids[(curve->anchor.begin + s) % fragment.edgel_ids.size()];
+    const EdgelId own = fragment.edgel_ids[curve->anchor.VertexOf(s, fragment.edgel_ids.size())];
     of_sample.push_back({curve->anchor.view, own});
     for (const ViewId v : candidate_views) {
       const auto sight = See(views[v], curve->points_in_world[s], curve->tangents_in_world[s]);

@@ -42,9 +42,9 @@ std::vector<VertexRun> FindRuns(const FragmentRays& fragment,
 Eigen::Vector3d TangentInCam(const PinholeCamera& camera, const FragmentRays& fragment, int vertex,
                              double inverse_depth, double slope_per_px);
 
-// The 3D curve of a run, without support.
+// The 3D curve of every `step`-th vertex of a run, without support.
 Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
-                  const std::vector<FusedDepth>& depths, const VertexRun& run);
+                  const std::vector<FusedDepth>& depths, const VertexRun& run, int step = 1);
 
 // Sets the support of every sample of a curve: its own edgel in the primary view and the best edgel
 // within the gate in each of the given views (ascending, without the primary view).

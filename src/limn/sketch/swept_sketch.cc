@@ -18,8 +18,10 @@ constexpr size_t kAnchorSpacing = 4;
 // Depths are sought in this many confirmation views, the most useful first: more cost time and find
 // little more.
 constexpr int kMaxSweepViews = 16;
-// Spacing of the samples; edgels between them are interpolated.
+// Spacing of the vertices whose depth is sought; those between are interpolated.
 constexpr double kSweepSpacingPx = 3;
+// Vertices per sample of the curves: the drawing needs no more.
+constexpr int kSampleStep = 3;
 
 class SweptDepths {
  public:
@@ -190,7 +192,7 @@ SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& opt
       "swept sketch", input, options, context, store, [&](const PrimaryView& primary) {
         // std::function copies what it calls.
         const auto depths = std::make_shared<SweptDepths>(primary);
-        return DepthFinder{kSweepSpacingPx, [depths](const FragmentRays& fragment) {
+        return DepthFinder{kSweepSpacingPx, kSampleStep, [depths](const FragmentRays& fragment) {
                              return depths->Find(fragment);
                            }};
       });

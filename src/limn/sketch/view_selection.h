@@ -18,7 +18,7 @@ struct ViewSelectionOptions {
   // More views raise precision and time.
   int max_confirmation_views = 24;
   // The other views of such a place only confirm.
-  int enough_primary_views = 20;
+  int enough_primary_views = 9;
   // Below the smaller one depth is unreliable, above the larger one the views no longer show the
   // same edges.
   double min_pair_angle_deg = 3.0;

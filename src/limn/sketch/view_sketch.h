@@ -16,7 +16,8 @@ struct DepthProfile {
 
 // All that is found out for the sketch of a view, except its support.
 struct ViewDepths {
-  double spacing_px = 0;                  // of the samples of fragments (SpacedVertices)
+  double spacing_px = 0;                  // of the places where depths are sought (SpacedVertices)
+  int sample_step = 1;                    // vertices of a fragment per sample of its curves
   std::vector<DepthProfile> of_fragment;  // empty for those that are too short to be matched
 };
 

@@ -14,16 +14,18 @@
 namespace limn {
 namespace {
 
-// Curves this near to each other show the same, px.
+// Curves this near to each other show the same, px, and samples of curves: they are 3 to 4 px
+// apart.
 constexpr double kSamePx = 2;
+constexpr double kSameSamplesPx = 2.7;
 // Number of views that agree on a curve from which it may be drawn, and from which it would have
 // been.
 constexpr int kMayBeDrawn = 2;
 constexpr int kIsKnown = 3;
 // Changes this near to each other are drawn together, px.
 constexpr double kTogetherPx = 20;
-// Number of samples, about 1 px apart, of the shortest change.
-constexpr size_t kMinSamples = 14;
+// Number of samples of the shortest change.
+constexpr size_t kMinSamples = 5;
 // Of the core around its changes, and of the reach around the core, px.
 constexpr double kCoreMarginPx = 10;
 constexpr double kReachPx = 50;
@@ -97,7 +99,7 @@ class NewSamples {
     for (const Eigen::Vector3d& point : curve.points_in_world) {
       const auto footprint = FootprintIn(scene_.views[view], point);
       if (!footprint) continue;
-      index_.FindWithin(point, kSamePx * *footprint, &near_);
+      index_.FindWithin(point, kSameSamplesPx * *footprint, &near_);
       for (const SpatialIndex::Neighbor& neighbor : near_) {
         ChangeSample& sample = samples_[neighbor.index];
         if (sample.view == view || sample.last_view == view) continue;

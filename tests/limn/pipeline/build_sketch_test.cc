@@ -51,9 +51,13 @@ TEST_P(BuildSketchTest, FatesTellWhichEdgelsAreInCurves) {
   for (const Curve3D& curve : result.sketch.curves) {
     const auto& ids =
         testing::CubeCurves().at(curve.anchor.view).fragments.at(curve.anchor.fragment).edgel_ids;
-    for (size_t s = 0; s < curve.size(); ++s) {
-      expected[curve.anchor.view][ids[(curve.anchor.begin + s) % ids.size()]] =
-          EdgelFate::kSketched;
+    // Between samples, too, and up to the next one behind the last.
+    const size_t num_vertices = curve.anchor.step * curve.size();
+    for (size_t k = 0; k < std::min(num_vertices, ids.size()); ++k) {
+      EdgelFate& fate = expected[curve.anchor.view][ids[(curve.anchor.begin + k) % ids.size()]];
+      const bool is_behind = k > curve.anchor.step * (curve.size() - 1);
+      fate = is_behind ? result.fates[curve.anchor.view][ids[(curve.anchor.begin + k) % ids.size()]]
+                       : EdgelFate::kSketched;
     }
   }
   for (size_t v = 0; v < expected.size(); ++v) {

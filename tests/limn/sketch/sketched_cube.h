@@ -51,7 +51,7 @@ inline void ExpectSoundCube(const CurveSketch& sketch) {
         CubeCurves().at(curve.anchor.view).fragments.at(curve.anchor.fragment).edgel_ids;
     for (size_t s = 0; s < curve.size(); ++s) {
       EXPECT_NEAR(curve.tangents_in_world[s].norm(), 1, 1e-9);
-      const EdgelRef own{curve.anchor.view, ids[(curve.anchor.begin + s) % ids.size()]};
+      const EdgelRef own{curve.anchor.view, ids[curve.anchor.VertexOf(s, ids.size())]};
       const auto support = curve.support.Of(s);
       EXPECT_TRUE(std::binary_search(support.begin(), support.end(), own));
       for (size_t k = 1; k < support.size(); ++k) EXPECT_LT(support[k - 1].view, support[k].view);

@@ -360,7 +360,9 @@ TEST(ViewSelectionTest, PrimaryViewsAreSpreadOverEveryPlace) {
     hints.points.push_back({position, here_ids});
     hints.points.push_back({there + position, there_ids});
   }
-  const auto primaries = Primaries(SelectViews(views, hints, {}, {}));
+  ViewSelectionOptions options;
+  options.enough_primary_views = 20;
+  const auto primaries = Primaries(SelectViews(views, hints, options, {}));
   const auto num_here =
       std::count_if(primaries.begin(), primaries.end(), [](ViewId v) { return v % 2 == 0; });
   const auto num_there = static_cast<std::ptrdiff_t>(primaries.size()) - num_here;
@@ -373,7 +375,9 @@ TEST(ViewSelectionTest, PrimaryViewsAreSpreadOverEveryPlace) {
 TEST(ViewSelectionTest, APlaceOfFewViewsKeepsThemAll) {
   std::vector<View> views = Turntable(150);
   for (int i = 0; i < 8; ++i) views.push_back(LookAt({500. + i, -8, 1}, {500. + i, 0, 1}));
-  const auto primaries = Primaries(SelectViews(views, kNoHints, {}, {}));
+  ViewSelectionOptions options;
+  options.enough_primary_views = 20;
+  const auto primaries = Primaries(SelectViews(views, kNoHints, options, {}));
   EXPECT_GE(primaries.end() - std::lower_bound(primaries.begin(), primaries.end(), 150), 7);
   EXPECT_LE(primaries.size(), 98u);
 }
@@ -405,7 +409,7 @@ TEST(ViewSelectionTest, AddedViewsArePlannedAsAllAre) {
 
 TEST(ViewSelectionTest, AnAddedViewOfWhatEnoughViewsSeeOnlyConfirms) {
   ViewSelectionOptions options;
-  options.enough_primary_views = 5;
+  options.enough_primary_views = 2;
   const std::vector<View> views = testing::DomeViews(30, 5);
   std::vector<uint8_t> is_sketched(30, 1);
   const auto is_primary = [&] {
@@ -415,7 +419,7 @@ TEST(ViewSelectionTest, AnAddedViewOfWhatEnoughViewsSeeOnlyConfirms) {
   options.enough_primary_views = 29;
   EXPECT_TRUE(is_primary());
   // Views that are not sketched themselves do not count.
-  options.enough_primary_views = 5;
+  options.enough_primary_views = 2;
   std::fill(is_sketched.begin() + 4, is_sketched.end(), 0);
   EXPECT_TRUE(is_primary());
 }
