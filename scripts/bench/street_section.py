@@ -41,7 +41,7 @@ def draw(rows, picture):
     views, wall, cpu, memory = (np.array(column) for column in zip(*rows))
     figure, (times, sizes) = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
     times.loglog(views, cpu, "o-", label="CPU time")
-    times.loglog(views, wall, "s-", label="wall time, 2 threads")
+    times.loglog(views, wall, "s-", label="wall time")
     times.loglog(views, cpu[0] * views / views[0], "k:", label="linear")
     times.set(xlabel="views", ylabel="s")
     times.legend()

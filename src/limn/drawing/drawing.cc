@@ -18,7 +18,7 @@ struct DrawingCounts {
 };
 
 // Vertices of image curves are about a pixel apart in each view that sees an edge. A third of them
-// say as much (algorithm/drawing.md#what-was-measured).
+// say as much (algorithm/drawing.md#what-was-measured). The swept sketch has no more.
 constexpr int kVerticesPerSample = 3;
 
 using Counts = decltype(StageSummary::in);

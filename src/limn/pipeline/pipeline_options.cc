@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Where time counts less than what few views see.
+// Of high quality and of the paper's method, which may take longer.
 constexpr int kManyPrimaryViews = 20;
 
 template <typename Options>

@@ -96,8 +96,9 @@ struct QualityPreset {
 
 // medium: the defaults of all structs, images of at most 2,048 px. low: images of at most 1,000 px,
 // fewer views to pair and confirm with; for a first look. high: images as stored, sharp ones as if
-// enlarged up to twice, for what they resolve between their pixels, more views to pair and confirm
-// with; about twice the time of medium, and more for sharp images and where medium shrinks them.
+// enlarged up to twice, for what they resolve between their pixels, more views to sketch, pair and
+// confirm with; about twice the time of medium, and more for sharp images and where medium shrinks
+// them.
 QualityPreset PresetOf(Quality quality);
 
 // Sets options of other stages to the defaults of the method: for the paper's method, those of the

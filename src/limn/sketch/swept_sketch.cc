@@ -20,7 +20,7 @@ constexpr size_t kAnchorSpacing = 4;
 constexpr int kMaxSweepViews = 16;
 // Spacing of the vertices whose depth is sought; those between are interpolated.
 constexpr double kSweepSpacingPx = 3;
-// Vertices per sample of the curves: the drawing needs no more.
+// Vertices per sample of the curves, as many as the drawing takes (kVerticesPerSample).
 constexpr int kSampleStep = 3;
 
 class SweptDepths {

@@ -38,8 +38,8 @@ constexpr double kTakenByLikeness = 0.9;
 // The best parallaxes, degrees; beyond them scores fall to nothing at the bounds of the options.
 constexpr double kBestPairDeg[] = {8, 25};
 constexpr double kBestConfirmationDeg[] = {6, 40};
-// An added view, which may show what the others do not, is sketched as long as not more than about
-// twice as many are as are enough: if this share of all views alike should be.
+// An added view may show what the others do not. It is sketched if this share of all views alike
+// should be, that is, until about twice enough_primary_views views of its places are.
 constexpr double kAddedShare = 0.4;
 
 // How the depths of a view are sampled, ascending.

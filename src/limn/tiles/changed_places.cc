@@ -14,9 +14,9 @@
 namespace limn {
 namespace {
 
-// Curves this near to each other show the same, px, and samples of curves: they are 3 to 4 px
-// apart.
+// Curves this near to each other show the same, px.
 constexpr double kSamePx = 2;
+// And samples of such curves: kSamePx across, half the distance of samples along.
 constexpr double kSameSamplesPx = 2.7;
 // Number of views that agree on a curve from which it may be drawn, and from which it would have
 // been.
@@ -24,8 +24,8 @@ constexpr int kMayBeDrawn = 2;
 constexpr int kIsKnown = 3;
 // Changes this near to each other are drawn together, px.
 constexpr double kTogetherPx = 20;
-// Number of samples of the shortest change.
-constexpr size_t kMinSamples = 5;
+// Number of vertices of image curves, about 1 px apart, of the shortest change.
+constexpr int kMinVertices = 14;
 // Of the core around its changes, and of the reach around the core, px.
 constexpr double kCoreMarginPx = 10;
 constexpr double kReachPx = 50;
@@ -33,7 +33,8 @@ constexpr double kReachPx = 50;
 struct ChangeSample {
   Eigen::Vector3d position;
   double footprint = 0;
-  ViewId view = -1;  // that shows it; -1: of a lost link
+  ViewId view = -1;      // that shows it; -1: of a lost link
+  int num_vertices = 1;  // of the image curve that it stands for
   bool is_drawn = false;
   int old_views = 0;  // others that show it
   int new_views = 0;
@@ -74,7 +75,7 @@ class NewSamples {
       if (!scene.is_new[view]) continue;
       for (const Eigen::Vector3d& point : curve.points_in_world) {
         const auto footprint = FootprintIn(scene.views[view], point);
-        if (footprint) samples.push_back({point, *footprint, view});
+        if (footprint) samples.push_back({point, *footprint, view, curve.anchor.step});
       }
     }
     return samples;
@@ -144,7 +145,9 @@ std::vector<std::vector<ChangeSample>> Groups(const std::vector<ChangeSample>& s
   for (auto& [set, group] : by_set) {
     const bool is_lost =
         std::ranges::any_of(group, [](const ChangeSample& sample) { return sample.view < 0; });
-    if (is_lost || group.size() >= kMinSamples) groups.push_back(std::move(group));
+    int num_vertices = 0;
+    for (const ChangeSample& sample : group) num_vertices += sample.num_vertices;
+    if (is_lost || num_vertices >= kMinVertices) groups.push_back(std::move(group));
   }
   return groups;
 }

@@ -6,9 +6,9 @@ namespace limn {
 // where much has been freed, such as at the end of a stage.
 void ReturnFreedMemory();
 
-// Lets the process keep memory that was freed until ReturnFreedMemory() is called. glibc returns
-// large blocks at once, and the system clears them anew for the next, page by page: a tenth of the
-// time of a run. For main() only: it changes the allocator of the whole process.
+// Makes the process keep memory that was freed until ReturnFreedMemory() is called. By default
+// glibc returns large blocks at once, and the system has to clear new pages for the next ones. For
+// main() only: it changes the allocator of the whole process.
 void KeepFreedMemory();
 
 }  // namespace limn

@@ -161,6 +161,7 @@ TEST(CurveSketchFile, RoundTrip) {
     EXPECT_EQ(a.anchor.view, b.anchor.view);
     EXPECT_EQ(a.anchor.fragment, b.anchor.fragment);
     EXPECT_EQ(a.anchor.begin, b.anchor.begin);
+    EXPECT_EQ(a.anchor.step, b.anchor.step);
     EXPECT_EQ(a.closed, b.closed);
     EXPECT_EQ(a.total_support, b.total_support);
   }
@@ -219,7 +220,7 @@ std::vector<Curve3D> SmallCurves(const ViewDepths& depths) {
     for (int s = 0; s < static_cast<int>(curve.size()); ++s) {
       std::vector<EdgelRef> support;
       if (s % 5 != 0) support.push_back({0, s + 3});
-      support.push_back({1, curve.anchor.begin + s});
+      support.push_back({1, static_cast<EdgelId>(curve.anchor.VertexOf(s, 40))});
       if (s > 8) support.push_back({2, 30 - s});
       curve.support.Append(support);
     }
@@ -227,13 +228,13 @@ std::vector<Curve3D> SmallCurves(const ViewDepths& depths) {
   return sketch.curves;
 }
 
-TEST(ViewSketchFile, RoundTrip) {
+void ExpectViewSketchRoundTrip(const ViewDepths& depths) {
   const TemporaryFolder folder;
   const std::vector<ImageCurves> curves = RowsOfEdgels();
-  const std::vector<Curve3D> written = SmallCurves(SmallDepths());
+  const std::vector<Curve3D> written = SmallCurves(depths);
   ASSERT_EQ(written.size(), 2u);
   const std::string path = folder.Path("a.bin");
-  WriteViewSketch(path, SmallDepths(), written, {0, 1, 2}, curves, "x");
+  WriteViewSketch(path, depths, written, {0, 1, 2}, curves, "x");
   const std::optional<ViewSketch> read =
       ReadViewSketch(path, 1, {0, 1, 2}, SketchedViews(), curves, "x");
   ASSERT_TRUE(read);
@@ -250,6 +251,14 @@ TEST(ViewSketchFile, RoundTrip) {
   EXPECT_EQ(read->fates[39], EdgelFate::kSketched);
   EXPECT_EQ(read->fates[45], EdgelFate::kFragmentTooShort);
   EXPECT_FALSE(ReadViewSketch(path, 1, {0, 1, 2}, SketchedViews(), curves, "y"));
+}
+
+TEST(ViewSketchFile, RoundTrip) { ExpectViewSketchRoundTrip(SmallDepths()); }
+
+TEST(ViewSketchFile, RoundTripOfEveryThirdVertex) {
+  ViewDepths depths = SmallDepths();
+  depths.sample_step = 3;
+  ExpectViewSketchRoundTrip(depths);
 }
 
 TEST(ViewSketchFile, ViewsMayComeAndGo) {
@@ -365,6 +374,8 @@ TEST(StageFile, IdsOutOfRangeAreRefused) {
   refuse_sketch([](Curve3D* curve) { curve->anchor.begin = 13; });
   refuse_sketch([](Curve3D* curve) { curve->anchor.begin = -1; });
   refuse_sketch([](Curve3D* curve) { curve->anchor.begin = 4; });
+  refuse_sketch([](Curve3D* curve) { curve->anchor.step = 0; });
+  refuse_sketch([](Curve3D* curve) { curve->anchor.step = 1000; });
   refuse_sketch([](Curve3D* curve) { curve->support.edgels[1].view = 2; });
   refuse_sketch([](Curve3D* curve) { curve->support.edgels[1].edgel = 13; });
   refuse_sketch([](Curve3D* curve) { curve->support.edgels[0].edgel = 4; });
@@ -389,6 +400,7 @@ TEST(ViewSketchFile, DepthsOfOtherFragmentsAreRefused) {
                  IoError);
   };
   refuse([](ViewDepths* depths) { depths->spacing_px = 0; });
+  refuse([](ViewDepths* depths) { depths->sample_step = 0; });
   refuse([](ViewDepths* depths) { depths->of_fragment.pop_back(); });
   refuse([](ViewDepths* depths) { depths->of_fragment[0].depths.pop_back(); });
   refuse([](ViewDepths* depths) { depths->of_fragment[1] = depths->of_fragment[0]; });

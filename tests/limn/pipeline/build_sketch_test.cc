@@ -54,10 +54,10 @@ TEST_P(BuildSketchTest, FatesTellWhichEdgelsAreInCurves) {
     // Between samples, too, and up to the next one behind the last.
     const size_t num_vertices = curve.anchor.step * curve.size();
     for (size_t k = 0; k < std::min(num_vertices, ids.size()); ++k) {
-      EdgelFate& fate = expected[curve.anchor.view][ids[(curve.anchor.begin + k) % ids.size()]];
+      const EdgelId id = ids[(curve.anchor.begin + k) % ids.size()];
       const bool is_behind = k > curve.anchor.step * (curve.size() - 1);
-      fate = is_behind ? result.fates[curve.anchor.view][ids[(curve.anchor.begin + k) % ids.size()]]
-                       : EdgelFate::kSketched;
+      expected[curve.anchor.view][id] =
+          is_behind ? result.fates[curve.anchor.view][id] : EdgelFate::kSketched;
     }
   }
   for (size_t v = 0; v < expected.size(); ++v) {
