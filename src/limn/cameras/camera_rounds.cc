@@ -27,8 +27,8 @@ namespace {
 
 // Of the curves, in one fit, about.
 constexpr size_t kMaxLines = 60'000;
-// Of the samples of links in pictures as stored, px: there are many.
-constexpr double kStoredSpacingPx = 3;
+// Of the samples of links in small pictures, px: there are few.
+constexpr double kSmallSpacingPx = 1.5;
 // Optics are off if curves gain from the first round that frees them, with more evidence
 // (EvidenceOfOptics).
 constexpr double kLeastEvidence = 100;
@@ -40,13 +40,15 @@ class CameraRounds {
  public:
   // `edges` instead of the graph of the input, in the unit of the scene.
   CameraRounds(const CameraRoundsInput& input, const DrawingGraph& edges,
-               const RefinementOptions& options, const RunContext& context, CameraScene* scene)
+               const RefinementOptions& options, const RunContext& context, PictureLevel* level,
+               CameraScene* scene)
       : input_(input),
         options_(options),
         context_(context),
+        level_(*level),
         scene_(*scene),
         given_poses_(BodyPoses(scene->given, scene->mounts)) {
-    if (input.level.factor == 1) options_.sample_spacing_px = kStoredSpacingPx;
+    if (level_.factor > 1) options_.sample_spacing_px = kSmallSpacingPx;
     SeeCurves();
     control_ = MakeControlGraph(edges, small_views_, options.control_spacing_px);
     // A view that is off supports no link, or the wrong ones.
@@ -102,10 +104,11 @@ class CameraRounds {
 
   // The curves through the lenses as they are now.
   void SeeCurves() {
-    small_views_ = ShrunkViews(scene_.views, input_.level.factor);
+    small_views_ = ShrunkViews(scene_.views, level_.factor);
     if (std::ranges::equal(scene_.views, seen_through_, {}, &View::calibration)) return;
-    curves_ = CurvesThroughLenses(small_views_, input_.level, context_);
-    edgels_ = BuildViewEdgels(curves_, context_);
+    edgels_.clear();  // before there are new ones
+    curves_ = &CurvesSeenNow(scene_, context_, &level_);
+    edgels_ = BuildViewEdgels(*curves_, context_);
     seen_through_.clear();
     for (const View& view : scene_.views) seen_through_.push_back(view.calibration);
   }
@@ -115,7 +118,7 @@ class CameraRounds {
     if (has_fitted_) FitCurvesAgain();
     Match(reach, &control_);
     MeasureResiduals();
-    const LandmarkInput input = {scene_.views, curves_, input_.level.factor, per_px_,
+    const LandmarkInput input = {scene_.views, *curves_, level_.factor, per_px_,
                                  reach * options_.robust_residual_px};
     std::vector<Landmark> landmarks = CurveLandmarks(input, control_, kMaxLines);
     PointLandmarks of_points = LandmarksOfPoints(input, scene_.points);
@@ -158,7 +161,7 @@ class CameraRounds {
   void Match(double reach, ControlGraph* control) {
     const TopologyInput images = {
         small_views_,
-        curves_,
+        *curves_,
         edgels_,
         {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * kDeg}};
     MatchEdgels(images, options_, context_, control);
@@ -178,7 +181,7 @@ class CameraRounds {
   void MeasureResiduals() {
     std::vector<std::vector<double>> residuals(result_.of_view.size());
     ForPulls([&](EdgelPull* pull) {
-      const double factor = ViewPxPerPicturePx(scene_.views[pull->ref.view], input_.level.factor);
+      const double factor = ViewPxPerPicturePx(scene_.views[pull->ref.view], level_.factor);
       residuals[pull->ref.view].push_back(factor * std::abs(pull->residual_px));
     });
     for (size_t v = 0; v < residuals.size(); ++v) {
@@ -256,7 +259,7 @@ class CameraRounds {
 
   void MeasureRows(const ControlGraph& control) {
     const std::map<int, Eigen::VectorXd> none;
-    const LandmarkInput input = {scene_.views, curves_, 1, none,
+    const LandmarkInput input = {scene_.views, *curves_, 1, none,
                                  kReachOfRows * options_.robust_residual_px};
     std::vector<Landmark> landmarks = CurveLandmarks(input, control, kMaxLines);
     std::ranges::move(LandmarksOfPoints(input, scene_.points).landmarks,
@@ -278,12 +281,13 @@ class CameraRounds {
   const CameraRoundsInput& input_;
   RefinementOptions options_;
   const RunContext& context_;
+  PictureLevel& level_;
   CameraScene& scene_;
   const std::vector<Rigid3d> given_poses_;
   std::map<int, Eigen::VectorXd> per_px_;
   std::vector<View> small_views_;
-  std::vector<std::shared_ptr<const Calibration>> seen_through_;  // what curves_ were mapped with
-  std::vector<ImageCurves> curves_;
+  std::vector<std::shared_ptr<const Calibration>> seen_through_;  // with these curves
+  const std::vector<ImageCurves>* curves_ = nullptr;              // of the level
   std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
   bool has_fitted_ = false;
@@ -294,13 +298,14 @@ class CameraRounds {
 
 CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
                                           const RefinementOptions& options,
-                                          const RunContext& context, CameraScene* scene) {
+                                          const RunContext& context, PictureLevel* level,
+                                          CameraScene* scene) {
   // Ceres has absolute constants.
   const double unit = SceneUnit(scene->views, input.graph);
   DrawingGraph edges = Scaled(input.graph, 1 / unit);
   RemoveLinks(AreEdges(edges), &edges);
   CameraScene scaled = Scaled(std::move(*scene), 1 / unit);
-  CameraRoundsResult result = CameraRounds(input, edges, options, context, &scaled).Run();
+  CameraRoundsResult result = CameraRounds(input, edges, options, context, level, &scaled).Run();
   *scene = Scaled(std::move(scaled), unit);
   if (result.uncertainty) {
     result.uncertainty->shift_unit = unit;

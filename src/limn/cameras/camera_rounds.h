@@ -23,7 +23,6 @@ struct CameraEvidence {
 struct CameraRoundsInput {
   // Drawn with the cameras of the scene as they are now.
   const DrawingGraph& graph;
-  const PictureLevel& level;
   // Per round, gate and scale of the loss in multiples of those of the options; not empty.
   std::vector<double> reaches;
   // The same for rounds that follow and refine the optics, too: unless these have been refined
@@ -54,6 +53,7 @@ struct CameraRoundsResult {
 // Throws Cancelled.
 CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
                                           const RefinementOptions& options,
-                                          const RunContext& context, CameraScene* scene);
+                                          const RunContext& context, PictureLevel* level,
+                                          CameraScene* scene);
 
 }  // namespace limn

@@ -1,5 +1,6 @@
 #include "limn/cameras/camera_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -43,6 +44,15 @@ ImageCurves AsStored(ImageCurves curves) {
 
 void ApplyLensTo(const View& view, ImageCurves* curves) {
   RemoveUnusableEdgels(ApplyLens(view.lens.get(), &curves->edge_map), curves);
+}
+
+std::vector<ImageCurves> CurvesThroughLenses(const std::vector<View>& shrunk_views,
+                                             const PictureLevel& level, const RunContext& context) {
+  if (level.factor == 1) return CurvesThroughOtherLenses(shrunk_views, level.curves, context);
+  std::vector<ImageCurves> curves = level.curves;
+  ParallelFor(context, "lenses", curves.size(),
+              [&](size_t v) { ApplyLensTo(shrunk_views[v], &curves[v]); });
+  return curves;
 }
 
 }  // namespace
@@ -95,13 +105,26 @@ std::vector<View> ShrunkViews(const std::vector<View>& views, int factor) {
   return shrunk;
 }
 
-std::vector<ImageCurves> CurvesThroughLenses(const std::vector<View>& shrunk_views,
-                                             const PictureLevel& level, const RunContext& context) {
-  if (level.factor == 1) return CurvesThroughOtherLenses(shrunk_views, level.curves, context);
-  std::vector<ImageCurves> curves = level.curves;
-  ParallelFor(context, "lenses", curves.size(),
-              [&](size_t v) { ApplyLensTo(shrunk_views[v], &curves[v]); });
-  return curves;
+const std::vector<ImageCurves>& CurvesSeenNow(const CameraScene& scene, const RunContext& context,
+                                              PictureLevel* level) {
+  const bool are_as_made =
+      level->factor == 1
+          ? std::ranges::equal(scene.views, scene.given, {}, &View::calibration, &View::calibration)
+          : std::ranges::none_of(scene.views,
+                                 [](const View& view) { return view.lens != nullptr; });
+  if (are_as_made) {
+    level->seen = {};
+    level->seen_through = {};
+    return level->curves;
+  }
+  if (std::ranges::equal(scene.views, level->seen_through, {}, &View::calibration)) {
+    return level->seen;
+  }
+  level->seen = {};  // before there are new ones
+  level->seen = CurvesThroughLenses(ShrunkViews(scene.views, level->factor), *level, context);
+  level->seen_through.clear();
+  for (const View& view : scene.views) level->seen_through.push_back(view.calibration);
+  return level->seen;
 }
 
 std::vector<ImageCurves> CurvesThroughOtherLenses(const std::vector<View>& views,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -42,12 +43,15 @@ SceneHints HintsOf(const CameraScene& scene, const SceneHints& given,
 // All lengths multiplied.
 CameraScene Scaled(CameraScene scene, double factor);
 
-// Pictures of the scene, and the curves in them: the views as they are, with curves as some lenses
-// have mapped them, or the photographs made smaller by a whole number, with curves in their stored
-// pixels.
+// Pictures of the scene, and the curves in them: the views as they are, with curves as the given
+// lenses have mapped them, or the photographs made smaller by a whole number, with curves in their
+// stored pixels.
 struct PictureLevel {
   int factor = 1;
   std::vector<ImageCurves> curves;  // per view
+  // As other lenses have mapped them, and these lenses; empty if none were asked for.
+  std::vector<ImageCurves> seen = {};
+  std::vector<std::shared_ptr<const Calibration>> seen_through = {};
 };
 
 // Pixels of a view per pixel of a picture of it: 1 for the views as they are, View::scale times the
@@ -57,11 +61,12 @@ double ViewPxPerPicturePx(const View& view, int factor);
 // The views of small pictures.
 std::vector<View> ShrunkViews(const std::vector<View>& views, int factor);
 
-// The curves of pictures as these views of them see them.
-std::vector<ImageCurves> CurvesThroughLenses(const std::vector<View>& shrunk_views,
-                                             const PictureLevel& level, const RunContext& context);
+// The curves of pictures as the cameras of the scene see them now. They stay valid until cameras
+// with other lenses ask for them.
+const std::vector<ImageCurves>& CurvesSeenNow(const CameraScene& scene, const RunContext& context,
+                                              PictureLevel* level);
 
-// The same of curves that other lenses have mapped.
+// Curves that lenses have mapped, as these views of the same pictures see them.
 std::vector<ImageCurves> CurvesThroughOtherLenses(const std::vector<View>& views,
                                                   const std::vector<ImageCurves>& curves,
                                                   const RunContext& context);

@@ -5,6 +5,7 @@
 #include "limn/drawing/link_smoothing.h"
 #include "limn/drawing/retriangulation.h"
 #include "limn/drawing/trace_curves.h"
+#include "limn/model/sample_step.h"
 #include "limn/topology/edit_topology.h"
 #include "limn/topology/sample_fates.h"
 
@@ -16,10 +17,6 @@ struct DrawingCounts {
   TracingCounts tracing;
   CompletionCounts completion;
 };
-
-// Vertices of image curves are about a pixel apart in each view that sees an edge. A third of them
-// say as much (algorithm/drawing.md#what-was-measured). The swept sketch has no more.
-constexpr int kVerticesPerSample = 3;
 
 using Counts = decltype(StageSummary::in);
 

@@ -31,8 +31,9 @@ std::vector<int> CountBehind(const LitScene& scene, const Light& light, const Ru
   std::vector<int> place_of;
   std::vector<Eigen::Vector3d> positions;
   double largest_footprint = 0;
+  const LightView view(light, scene);
   for (size_t k = 0; k < scene.places.size(); ++k) {
-    const auto from_light = SeeFrom(light, scene, scene.places[k]);
+    const auto from_light = view.See(scene.places[k]);
     if (!from_light) continue;
     seen.push_back(*from_light);
     place_of.push_back(static_cast<int>(k));

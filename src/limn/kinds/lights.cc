@@ -63,12 +63,6 @@ std::vector<Eigen::Vector3d> Sphere(int count) {
   return directions;
 }
 
-// From a place to the light, unit.
-Eigen::Vector3d DirectionFrom(const LitPlace& place, const Light& light, const LitScene& scene) {
-  const double nearness = light.inverse_distance / scene.radius;
-  return (light.direction - nearness * (place.position_in_world - scene.center)).normalized();
-}
-
 // The side that the views see; surfaces of no plane have no angle that could be too small.
 bool IsLit(const LitPlace& place, const Eigen::Vector3d& towards_light) {
   return place.normal.isZero() || place.normal.dot(towards_light) > (place.on_plane ? kMinLit : 0);
@@ -77,7 +71,7 @@ bool IsLit(const LitPlace& place, const Eigen::Vector3d& towards_light) {
 // A place in a cell of position and direction. By cell, the places nearest to the light first.
 struct Filed {
   uint64_t cell = 0;
-  double height = 0;
+  float height = 0;
   int place = -1;
 
   bool operator<(const Filed& other) const {
@@ -86,11 +80,32 @@ struct Filed {
   }
 };
 
+// The bins of angles, in the order of their directions' first coordinates, from 1 to -1.
+struct AngleBins {
+  AngleBins() {
+    for (int bin = 0; bin < kNumAngles; ++bin) {
+      const double width = std::numbers::pi / kNumAngles;
+      cosine_of_end[bin] = std::cos((bin + 1) * width);
+      middle[bin] = {std::cos((bin + 0.5) * width), std::sin((bin + 0.5) * width)};
+    }
+  }
+
+  // Of an undirected line.
+  int Of(const Eigen::Vector2d& direction) const {
+    const double cosine = direction.y() < 0 ? -direction.x() : direction.x();
+    int bin = 0;
+    for (int k = 0; k + 1 < kNumAngles; ++k) bin += cosine <= cosine_of_end[k] ? 1 : 0;
+    return bin;
+  }
+
+  std::array<double, kNumAngles> cosine_of_end;
+  std::array<Eigen::Vector2d, kNumAngles> middle;
+};
+
 uint64_t CellOf(const PlaceFromLight& seen, double width) {
-  const double angle = std::atan2(seen.tangent.y(), seen.tangent.x()) + std::numbers::pi;
-  const int bin = static_cast<int>(angle / std::numbers::pi * kNumAngles) % kNumAngles;
-  const double middle = (bin + 0.5) * std::numbers::pi / kNumAngles;
-  const Eigen::Vector2d along(std::cos(middle), std::sin(middle));
+  static const AngleBins bins;
+  const int bin = bins.Of(seen.tangent);
+  const Eigen::Vector2d& along = bins.middle[bin];
   const Eigen::Vector2d across(-along.y(), along.x());
   const auto x = static_cast<int64_t>(std::floor(seen.position.dot(along) / (kCellLength * width)));
   const auto y = static_cast<int64_t>(std::floor(seen.position.dot(across) / width));
@@ -105,14 +120,16 @@ std::vector<int> PlacesBehind(const Light& light, const LitScene& scene, double 
                               int stride) {
   std::vector<Filed> filed;
   std::vector<uint8_t> is_lit(scene.places.size(), 0);
+  const LightView view(light, scene);
   for (size_t k = 0; k < scene.places.size(); k += stride) {
-    const auto seen = SeeFrom(light, scene, scene.places[k]);
+    const auto seen = view.See(scene.places[k]);
     if (!seen) continue;
     is_lit[k] = seen->is_lit;
-    filed.push_back({CellOf(*seen, width_px * scene.footprint), seen->height, static_cast<int>(k)});
+    filed.push_back({CellOf(*seen, width_px * scene.footprint), static_cast<float>(seen->height),
+                     static_cast<int>(k)});
   }
   std::sort(filed.begin(), filed.end());
-  const double gap = kMinCastPx * scene.footprint;
+  const auto gap = static_cast<float>(kMinCastPx * scene.footprint);
   std::vector<int> behind;
   for (size_t begin = 0, end = 0; begin < filed.size(); begin = end) {
     size_t lower = begin;  // the first place below the gap
@@ -175,13 +192,14 @@ int NumOnCoveredLinks(const Light& light, const LitScene& scene) {
 }
 
 bool LightsSurfaces(const Light& light, const LitScene& scene) {
+  const LightView view(light, scene);
   int num_known = 0;
   int num_lit = 0;
   for (size_t k = 0; k < scene.places.size(); k += kCoarseStride) {
     const LitPlace& place = scene.places[k];
     if (place.normal.isZero()) continue;
     ++num_known;
-    num_lit += IsLit(place, DirectionFrom(place, light, scene)) ? 1 : 0;
+    num_lit += IsLit(place, view.DirectionFrom(place)) ? 1 : 0;
   }
   return num_lit >= kMinLitShare * num_known;
 }
@@ -242,9 +260,10 @@ Candidate Refined(const Light& from, const LitScene& scene, const RunContext& co
 }
 
 int NumAlong(const Light& light, const LitScene& scene) {
+  const LightView view(light, scene);
   int num_along = 0;
   for (const LitPlace& place : scene.places) {
-    const double cosine = place.tangent.dot(DirectionFrom(place, light, scene));
+    const double cosine = place.tangent.dot(view.DirectionFrom(place));
     num_along += std::abs(cosine) > std::cos(kAlongRad) ? 1 : 0;
   }
   return num_along;
@@ -295,20 +314,27 @@ LitScene LitSceneOf(std::vector<LitPlace> places) {
   return scene;
 }
 
-std::optional<PlaceFromLight> SeeFrom(const Light& light, const LitScene& scene,
-                                      const LitPlace& place) {
-  const Eigen::Vector3d towards_light = DirectionFrom(place, light, scene);
+LightView::LightView(const Light& light, const LitScene& scene)
+    : scene_(scene),
+      direction_(light.direction),
+      nearness_(light.inverse_distance / scene.radius),
+      across_(TangentFrame(light.direction)) {}
+
+Eigen::Vector3d LightView::DirectionFrom(const LitPlace& place) const {
+  return (direction_ - nearness_ * (place.position_in_world - scene_.center)).normalized();
+}
+
+std::optional<PlaceFromLight> LightView::See(const LitPlace& place) const {
+  const Eigen::Vector3d towards_light = DirectionFrom(place);
   if (place.tangent.cross(towards_light).norm() < kMinSine) return std::nullopt;
-  const auto across = TangentFrame(light.direction);
-  const Eigen::Vector3d offset = place.position_in_world - scene.center;
-  const double nearness = light.inverse_distance / scene.radius;
+  const Eigen::Vector3d offset = place.position_in_world - scene_.center;
   PlaceFromLight seen;
-  seen.height = offset.dot(light.direction);
-  const double depth = 1 - nearness * seen.height;
+  seen.height = offset.dot(direction_);
+  const double depth = 1 - nearness_ * seen.height;
   if (!(depth >= kMinDepth)) return std::nullopt;
-  seen.position = across.transpose() * offset / depth;
-  seen.tangent = (across.transpose() * place.tangent +
-                  nearness * place.tangent.dot(light.direction) * seen.position)
+  seen.position = across_.transpose() * offset / depth;
+  seen.tangent = (across_.transpose() * place.tangent +
+                  nearness_ * place.tangent.dot(direction_) * seen.position)
                      .normalized();
   seen.footprint = place.footprint / depth;
   seen.is_lit = IsLit(place, towards_light);

@@ -38,10 +38,22 @@ struct PlaceFromLight {
   bool is_lit = false;
 };
 
-// Nothing if the place is beside or behind the light, or its link runs along the ray. Precondition:
-// the scene has a radius.
-std::optional<PlaceFromLight> SeeFrom(const Light& light, const LitScene& scene,
-                                      const LitPlace& place);
+// What a light sees. Holds the scene, which must have a radius.
+class LightView {
+ public:
+  LightView(const Light& light, const LitScene& scene);
+
+  // Nothing if the place is beside or behind the light, or its link runs along the ray.
+  std::optional<PlaceFromLight> See(const LitPlace& place) const;
+  // From a place to the light, unit.
+  Eigen::Vector3d DirectionFrom(const LitPlace& place) const;
+
+ private:
+  const LitScene& scene_;
+  Eigen::Vector3d direction_;
+  double nearness_;                     // 1 / world units
+  Eigen::Matrix<double, 3, 2> across_;  // to the direction
+};
 
 // The least height of what casts a shadow above it, px.
 constexpr double kMinCastPx = 12;

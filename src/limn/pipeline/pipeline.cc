@@ -33,12 +33,8 @@ DrawnCurves Draw(const PipelineInput& input, const std::vector<ImageCurves>& cur
                     on_stage_end);
 }
 
-// Cameras and, if they have moved, curves as the refiner has them now.
 void TakeCameras(const CameraRefiner& refiner, UnrefinedScene* scene) {
-  if (!refiner.HaveMoved()) return;
-  scene->curves.clear();
-  scene->cameras = refiner.Cameras();
-  scene->curves = refiner.CurvesSeenBy(scene->cameras->views);
+  if (refiner.HaveMoved()) scene->cameras = refiner.Cameras();
 }
 
 UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<ImageCurves> curves,
@@ -49,8 +45,7 @@ UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<Image
   const auto draw = [&](UnrefinedScene* scene) {
     TakeCameras(refiner, scene);
     scene->drawn =
-        Draw(SeenBy(scene->cameras, input), scene->cameras ? scene->curves : refiner.given_curves(),
-             options, context, on_stage_end);
+        Draw(SeenBy(scene->cameras, input), refiner.Curves(), options, context, on_stage_end);
   };
   refiner.RefineBySmallPictures();
   const bool had_moved = refiner.HaveMoved();
@@ -70,7 +65,7 @@ UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<Image
   }
   TakeCameras(refiner, &scene);
   scene.rows = refiner.Rows();
-  if (!scene.cameras) scene.curves = refiner.TakeGivenCurves();
+  scene.curves = refiner.TakeCurves();
   return scene;
 }
 

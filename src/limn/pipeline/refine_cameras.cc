@@ -120,22 +120,22 @@ void CameraRefiner::RefineBySmallPictures() {
 }
 
 void CameraRefiner::LookAtSmallPictures() {
-  const PictureLevel first = Extract(first_factor_);
-  const FirstLook look = DrawAndRefine(first, kReaches);
+  PictureLevel first = Extract(first_factor_);
+  const FirstLook look = DrawAndRefine(kReaches, &first);
   if (!look.are_off) return ReturnToGiven();
   if (look.moved_px > kLostPx) {
     ReturnToGiven();
     for (int factor = FactorOf(input_.views, kSmallestSidePx); factor > first_factor_;
          factor /= 2) {
-      Settle(Extract(factor));
+      SettleAt(factor);
     }
   }
-  Settle(first);
+  Settle(&first);
   const double seen_px = SeenPx(graph_, scene_.views);
   const bool shows_as_much = seen_px >= kLeastSeen * look.seen_px;
   if (!shows_as_much || !IsEnough(seen_px, first, scene_.views)) return ReturnToGiven();
-  for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
-  RefineAsStored({graph_, stored_, kStoredReaches, kOnce});
+  for (int factor = first_factor_ / 2; factor > 1; factor /= 2) SettleAt(factor);
+  RefineAsStored({graph_, kStoredReaches, kOnce});
 }
 
 void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
@@ -144,17 +144,17 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   if (have_moved_) {
     const bool shows_as_much = seen_px >= kLeastSeen * given_px_;
     if (!shows_as_much || !IsEnough(seen_px, stored_, scene_.views)) return ReturnToGiven();
-    return RefineAsStored({graph, stored_, kLastReaches, kTwice, true});
+    return RefineAsStored({graph, kLastReaches, kTwice, true});
   }
   given_px_ = seen_px;
   if (!IsEnough(seen_px, stored_, scene_.views)) return;
   if (options_.refine_cameras == CameraRefinement::kAuto) {
-    const CameraRoundsResult check = Refine({graph, stored_, kCheckReaches, kOnce, true});
+    const CameraRoundsResult check = Refine({graph, kCheckReaches, kOnce, true}, &stored_);
     ReturnToGiven();
     if (!AreOff(check) && !check.optics_are_off) return;
     rows_ = {};  // wrong cameras look much like moving ones
   }
-  RefineAsStored({graph, stored_, kStoredReaches, kOnce});
+  RefineAsStored({graph, kStoredReaches, kOnce});
 }
 
 void CameraRefiner::ReturnToGiven() {
@@ -163,13 +163,14 @@ void CameraRefiner::ReturnToGiven() {
 }
 
 void CameraRefiner::RefineAsStored(const CameraRoundsInput& input) {
-  last_ = Refine(input);
+  last_ = Refine(input, &stored_);
   have_moved_ = true;
   FixGauge();
 }
 
-std::vector<ImageCurves> CameraRefiner::CurvesSeenBy(const std::vector<View>& views) const {
-  return CurvesThroughLenses(views, stored_, context_);
+std::vector<ImageCurves> CameraRefiner::TakeCurves() {
+  Curves();
+  return std::move(stored_.seen.empty() ? stored_.curves : stored_.seen);
 }
 
 // Smaller pictures, with their curves whatever the lenses.
@@ -196,9 +197,9 @@ Image CameraRefiner::ReadShrunk(ViewId id, int factor) {
 }
 
 // With the cameras as they are now.
-void CameraRefiner::Draw(const PictureLevel& level) {
-  const std::vector<View> views = ShrunkViews(scene_.views, level.factor);
-  const std::vector<ImageCurves> curves = CurvesThroughLenses(views, level, context_);
+void CameraRefiner::Draw(PictureLevel* level) {
+  const std::vector<View> views = ShrunkViews(scene_.views, level->factor);
+  const std::vector<ImageCurves>& curves = CurvesSeenNow(scene_, context_, level);
   PipelineOptions options = options_;
   options.mode = SketchMode::kSweep;
   const SceneHints hints = HintsOf(scene_, input_.hints, scene_.views);
@@ -209,20 +210,21 @@ void CameraRefiner::Draw(const PictureLevel& level) {
   graph_ = FindSmoothOutlines({scene, drawn.drawing.graph, /*fit_bodies=*/false}, context_).graph;
 }
 
-CameraRoundsResult CameraRefiner::Refine(const CameraRoundsInput& input) {
-  CameraRoundsResult rounds = RefineCamerasByDrawing(input, options_.refinement, context_, &scene_);
+CameraRoundsResult CameraRefiner::Refine(const CameraRoundsInput& input, PictureLevel* level) {
+  CameraRoundsResult rounds =
+      RefineCamerasByDrawing(input, options_.refinement, context_, level, &scene_);
   if (input.measures_rows) rows_ = rounds.rows;
   return rounds;
 }
 
-CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
-                                                      const std::vector<double>& reaches) {
+CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const std::vector<double>& reaches,
+                                                      PictureLevel* level) {
   Draw(level);
   const std::vector<View> before = scene_.views;
   const double seen_px = SeenPx(graph_, before);
-  const CameraRoundsResult rounds = Refine({graph_, level, reaches});
+  const CameraRoundsResult rounds = Refine({graph_, reaches}, level);
   const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene(), held_);
-  return {AreOff(rounds), gauge.typical_move_px / MeanViewPxPerPicturePx(before, level.factor),
+  return {AreOff(rounds), gauge.typical_move_px / MeanViewPxPerPicturePx(before, level->factor),
           seen_px};
 }
 
@@ -234,10 +236,15 @@ bool CameraRefiner::AreOff(const CameraRoundsResult& rounds) const {
          (rounds.gain > kGainOfOff && rounds.gain * num_links > kLinksPerUnknown * num_unknowns);
 }
 
-void CameraRefiner::Settle(const PictureLevel& level) {
-  double moved_px = DrawAndRefine(level, kFirstReaches).moved_px;
+void CameraRefiner::SettleAt(int factor) {
+  PictureLevel level = Extract(factor);
+  Settle(&level);
+}
+
+void CameraRefiner::Settle(PictureLevel* level) {
+  double moved_px = DrawAndRefine(kFirstReaches, level).moved_px;
   for (int i = 1; i < kMaxDrawings && moved_px > kSettledPx; ++i) {
-    moved_px = DrawAndRefine(level, kReaches).moved_px;
+    moved_px = DrawAndRefine(kReaches, level).moved_px;
   }
 }
 

@@ -88,12 +88,11 @@ class CameraRefiner {
   // if neither happened.
   const RowMotion& Rows() const { return rows_; }
 
-  // The curves of the pictures as stored, as other views of the same pictures see them.
-  std::vector<ImageCurves> CurvesSeenBy(const std::vector<View>& views) const;
+  // Of the pictures as stored, as the cameras see them now.
+  const std::vector<ImageCurves>& Curves() { return CurvesSeenNow(scene_, context_, &stored_); }
 
-  // Those that it was made with. Taking them ends its work.
-  const std::vector<ImageCurves>& given_curves() const { return stored_.curves; }
-  std::vector<ImageCurves> TakeGivenCurves() { return std::move(stored_.curves); }
+  // Taking them ends its work.
+  std::vector<ImageCurves> TakeCurves();
 
  private:
   struct FirstLook {
@@ -105,11 +104,12 @@ class CameraRefiner {
   void LookAtSmallPictures();
   PictureLevel Extract(int factor);
   Image ReadShrunk(ViewId id, int factor);
-  void Draw(const PictureLevel& level);
-  CameraRoundsResult Refine(const CameraRoundsInput& input);
-  FirstLook DrawAndRefine(const PictureLevel& level, const std::vector<double>& reaches);
+  void Draw(PictureLevel* level);
+  CameraRoundsResult Refine(const CameraRoundsInput& input, PictureLevel* level);
+  FirstLook DrawAndRefine(const std::vector<double>& reaches, PictureLevel* level);
   bool AreOff(const CameraRoundsResult& rounds) const;
-  void Settle(const PictureLevel& level);
+  void Settle(PictureLevel* level);
+  void SettleAt(int factor);
   void RefineAsStored(const CameraRoundsInput& input);
   void ReturnToGiven();
   Eigen::Vector3d MiddleOfScene() const;

@@ -8,6 +8,8 @@ namespace limn {
 namespace {
 
 const double kMinCosine = std::cos(20 * kDeg);
+// Of the distance between the places of a link.
+constexpr double kHalfStepPx = 1.5;
 
 EdgelIndex IndexOf(const std::vector<ImagePlace>& places) {
   EdgeMap map;
@@ -23,10 +25,14 @@ Crowding::Crowding(std::vector<ImagePlace> places)
 
 bool Crowding::At(const ImagePlace& place, double distance_px) const {
   bool crowded = false;
-  index_.ForEachWithin(place.pixel, distance_px, [&](EdgelId id) {
+  index_.ForEachWithin(place.pixel, std::hypot(distance_px, kHalfStepPx), [&](EdgelId id) {
     const ImagePlace& other = places_[id];
+    if (other.link == place.link) return;
+    const Eigen::Vector2d offset = other.pixel - place.pixel;
+    const double across_px =
+        std::abs(offset.x() * place.direction.y() - offset.y() * place.direction.x());
     crowded |=
-        other.link != place.link && std::abs(other.direction.dot(place.direction)) > kMinCosine;
+        across_px <= distance_px && std::abs(other.direction.dot(place.direction)) > kMinCosine;
   });
   return crowded;
 }

@@ -21,7 +21,8 @@ class Crowding {
  public:
   explicit Crowding(std::vector<ImagePlace> places);
 
-  // Returns whether another link passes within the distance, in nearly the same direction.
+  // Returns whether another link passes within the distance, in nearly the same direction. Its
+  // places may be 3 px apart.
   bool At(const ImagePlace& place, double distance_px) const;
 
  private:

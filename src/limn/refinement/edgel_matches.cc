@@ -176,27 +176,46 @@ void RequireViews(int min_views, std::vector<EdgelPull>* pulls) {
   if (std::ssize(*pulls) < min_views) pulls->clear();
 }
 
+// The link that fits an edgel best.
+struct BestFit {
+  float residual_px = std::numeric_limits<float>::infinity();
+  int link = -1;
+};
+
+// Edgels on either side of one that are compared with it, along its fragment: samples of two links
+// seldom find the same one.
+constexpr int kBeside = 1;
+
+// Calls visit(edgel) at the edgel and those beside it on its fragment.
+template <typename Visit>
+void ForEachBeside(const TopologyInput& input, const EdgelRef& ref, Visit&& visit) {
+  const FragmentPlace& place = input.edgels[ref.view]->place_of[ref.edgel];
+  const std::vector<EdgelId>& ids = input.curves[ref.view].fragments[place.fragment].edgel_ids;
+  const int end = std::min(place.index + kBeside + 1, static_cast<int>(ids.size()));
+  for (int i = std::max(0, place.index - kBeside); i < end; ++i) visit(ids[i]);
+}
+
 // Gives up edgels that another link fits better.
-void KeepBest(const std::vector<ImageCurves>& curves, int min_views, ControlGraph* control) {
-  // Per view and edgel the smallest residual of a link.
-  std::vector<std::vector<float>> best;
-  for (const ImageCurves& of_view : curves) {
-    best.emplace_back(of_view.edge_map.edgels.size(), std::numeric_limits<float>::infinity());
-  }
-  const auto best_of = [&](const EdgelPull& pull) -> float& {
-    return best[pull.ref.view][pull.ref.edgel];
-  };
-  for (const ControlLink& link : control->links) {
-    for (const FitSample& sample : link.samples) {
+void KeepBest(const TopologyInput& input, int min_views, ControlGraph* control) {
+  std::vector<std::vector<BestFit>> best;  // per view and edgel
+  for (const ImageCurves& of_view : input.curves) best.emplace_back(of_view.edge_map.edgels.size());
+  for (size_t l = 0; l < control->links.size(); ++l) {
+    for (const FitSample& sample : control->links[l].samples) {
       for (const EdgelPull& pull : sample.pulls) {
-        best_of(pull) = std::min(best_of(pull), static_cast<float>(std::abs(pull.residual_px)));
+        const auto residual_px = static_cast<float>(std::abs(pull.residual_px));
+        ForEachBeside(input, pull.ref, [&](EdgelId edgel) {
+          BestFit& fit = best[pull.ref.view][edgel];
+          if (residual_px < fit.residual_px) fit = {residual_px, static_cast<int>(l)};
+        });
       }
     }
   }
-  for (ControlLink& link : control->links) {
-    for (FitSample& sample : link.samples) {
+  for (size_t l = 0; l < control->links.size(); ++l) {
+    for (FitSample& sample : control->links[l].samples) {
       std::erase_if(sample.pulls, [&](const EdgelPull& pull) {
-        return std::abs(pull.residual_px) > best_of(pull) + kClearlyBetterPx;
+        const BestFit& fit = best[pull.ref.view][pull.ref.edgel];
+        return fit.link != static_cast<int>(l) &&
+               std::abs(pull.residual_px) > fit.residual_px + kClearlyBetterPx;
       });
       RequireViews(min_views, &sample.pulls);
     }
@@ -225,7 +244,7 @@ void MatchEdgels(const TopologyInput& input, const RefinementOptions& options,
       RequireViews(options.min_views, &sample.pulls);
     }
   });
-  KeepBest(input.curves, options.min_views, control);
+  KeepBest(input, options.min_views, control);
 }
 
 }  // namespace limn

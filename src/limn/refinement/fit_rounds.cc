@@ -16,7 +16,7 @@ namespace limn {
 namespace {
 
 // A view supports a link if it shows this many of its samples, or half of them.
-constexpr int kMinSupportedSamples = 3;
+constexpr int kMinSupportedSamples = 2;
 
 void SetSupport(const ControlLink& fitted, DrawingLink* link) {
   std::map<ViewId, int> samples;

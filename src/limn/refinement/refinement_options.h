@@ -14,9 +14,9 @@ struct RefinementOptions {
   double bending_sigma = 0.08;
 
   // Spacing of the control points of a link, px: set by tests only. And of the samples that are
-  // matched with edgels: set by what needs fewer.
+  // matched with edgels: set by what needs more.
   double control_spacing_px = 3;
-  double sample_spacing_px = 1.5;
+  double sample_spacing_px = 3;
   // And within this angle, edgels pull at a link.
   double max_angle_deg = 15;
   // Views that must show a sample for its edgels to count.

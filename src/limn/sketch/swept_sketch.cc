@@ -2,6 +2,7 @@
 #include <memory>
 #include <span>
 
+#include "limn/model/sample_step.h"
 #include "limn/sketch/epipolar_crossings.h"
 #include "limn/sketch/local_sketch.h"
 #include "limn/sketch/sketch_pieces.h"
@@ -20,8 +21,6 @@ constexpr size_t kAnchorSpacing = 4;
 constexpr int kMaxSweepViews = 16;
 // Spacing of the vertices whose depth is sought; those between are interpolated.
 constexpr double kSweepSpacingPx = 3;
-// Vertices per sample of the curves, as many as the drawing takes (kVerticesPerSample).
-constexpr int kSampleStep = 3;
 
 class SweptDepths {
  public:
@@ -192,9 +191,9 @@ SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& opt
       "swept sketch", input, options, context, store, [&](const PrimaryView& primary) {
         // std::function copies what it calls.
         const auto depths = std::make_shared<SweptDepths>(primary);
-        return DepthFinder{kSweepSpacingPx, kSampleStep, [depths](const FragmentRays& fragment) {
-                             return depths->Find(fragment);
-                           }};
+        return DepthFinder{
+            kSweepSpacingPx, kVerticesPerSample,
+            [depths](const FragmentRays& fragment) { return depths->Find(fragment); }};
       });
 }
 

@@ -43,6 +43,12 @@ const std::vector<ImageCurves>& Curves() {
   return curves;
 }
 
+CameraRoundsResult Refine(const CameraRoundsInput& input, const std::vector<ImageCurves>& curves,
+                          CameraScene* scene, const RunContext& context = {}) {
+  PictureLevel level = {1, curves};
+  return RefineCamerasByDrawing(input, {}, context, &level, scene);
+}
+
 std::vector<Eigen::Vector3d> PointsOnCube() {
   std::vector<Eigen::Vector3d> points;
   for (const testing::SceneCurve& edge : CubeEdges()) {
@@ -90,7 +96,7 @@ CameraScene Refine(const std::vector<View>& views, const SceneHints& hints = kNo
   RunContext context;
   context.num_threads = num_threads;
   CameraScene scene = MakeCameraScene(views, hints, LooseMounts(views.size()));
-  RefineCamerasByDrawing({graph, {1, Curves()}, {3, 2}, {1, 1, 1}}, {}, context, &scene);
+  Refine({graph, {3, 2}, {1, 1, 1}}, Curves(), &scene, context);
   return scene;
 }
 
@@ -158,7 +164,7 @@ CameraRoundsResult Check(const std::vector<View>& views, const std::vector<Image
                          bool measures_rows = true) {
   CameraScene scene = MakeCameraScene(views, kNoHints, LooseMounts(kNumPoseViews));
   const DrawingGraph graph = CubeGraph();
-  return RefineCamerasByDrawing({graph, {1, curves}, {2}, {1}, measures_rows}, {}, {}, &scene);
+  return Refine({graph, {2}, {1}, measures_rows}, curves, &scene);
 }
 
 TEST(CameraRounds, TellsWrongOpticsFromRightOnes) {
@@ -175,7 +181,7 @@ TEST(CameraRounds, MeasuringRowsMovesNothing) {
   std::vector<std::vector<View>> refined;
   for (const bool measures_rows : {false, true}) {
     CameraScene scene = MakeCameraScene(views, kNoHints, LooseMounts(kNumPoseViews));
-    RefineCamerasByDrawing({graph, {1, curves}, {1}, {1, 1}, measures_rows}, {}, {}, &scene);
+    Refine({graph, {1}, {1, 1}, measures_rows}, curves, &scene);
     refined.push_back(scene.views);
   }
   for (int v = 0; v < kNumPoseViews; ++v) {
@@ -234,8 +240,7 @@ TEST(CameraRounds, HeldViewsStayAndRigsKeepTheirForm) {
   mounts.of_view[1] = {0, one_from_zero};
   scene.views[1].cam_from_world = one_from_zero * scene.views[0].cam_from_world;
   const DrawingGraph graph = CubeGraph();
-  const auto result =
-      RefineCamerasByDrawing({graph, {1, Curves()}, {3, 2, 1}, {1}}, {}, {}, &scene);
+  const auto result = Refine({graph, {3, 2, 1}, {1}}, Curves(), &scene);
   EXPECT_EQ(scene.views[5].cam_from_world.translation, WrongViews()[5].cam_from_world.translation);
   const Rigid3d now = scene.views[1].cam_from_world * Inverse(scene.views[0].cam_from_world);
   EXPECT_LT((now.translation - one_from_zero.translation).norm(), 1e-9);
@@ -250,7 +255,7 @@ TEST(CameraRounds, TheGainTellsWrongCamerasFromRightOnes) {
   const auto gain = [](const std::vector<View>& views) {
     CameraScene scene = MakeCameraScene(views, kNoHints, LooseMounts(views.size()));
     const DrawingGraph graph = CubeGraph();
-    return RefineCamerasByDrawing({graph, {1, Curves()}, {2}}, {}, {}, &scene).gain;
+    return Refine({graph, {2}}, Curves(), &scene).gain;
   };
   EXPECT_LT(gain(TrueViews()), 0.05);
   EXPECT_GT(gain(WrongViews()), 0.3);
@@ -268,7 +273,7 @@ TEST(CameraRounds, CertaintyIsRight) {
                                               100 * seed + static_cast<unsigned>(curves.size())));
     }
     CameraScene scene = MakeCameraScene(TrueViews(), kNoHints, LooseMounts(kNumPoseViews));
-    const auto result = RefineCamerasByDrawing({graph, {1, curves}, {1}, {1}}, {}, {}, &scene);
+    const auto result = Refine({graph, {1}, {1}}, curves, &scene);
     const Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     const Gauge gauge = FindGauge(TrueViews(), scene.views, middle);
     const std::vector<View> aligned = Moved(scene.views, gauge.given_from_refined);
@@ -291,7 +296,7 @@ TEST(CameraRounds, RowsThatAreOutOfStepAreSeen) {
   const auto rows_of = [&] {
     CameraScene scene = MakeCameraScene(TrueViews(), kNoHints, LooseMounts(kNumPoseViews));
     const DrawingGraph graph = CubeGraph();
-    return RefineCamerasByDrawing({graph, {1, curves}, {2, 1}, {1}, true}, {}, {}, &scene).rows;
+    return Refine({graph, {2, 1}, {1}, true}, curves, &scene).rows;
   };
   const RowMotion straight = rows_of();
   ASSERT_EQ(straight.of_view.size(), kNumPoseViews);
@@ -324,7 +329,7 @@ TEST(CameraRounds, CanBeCancelled) {
   context.cancelled = &cancelled;
   CameraScene scene = MakeCameraScene(WrongViews(), kNoHints, LooseMounts(kNumPoseViews));
   const DrawingGraph graph = CubeGraph();
-  EXPECT_THROW(RefineCamerasByDrawing({graph, {1, Curves()}, {1}}, {}, context, &scene), Cancelled);
+  EXPECT_THROW(Refine({graph, {1}}, Curves(), &scene, context), Cancelled);
 }
 
 }  // namespace

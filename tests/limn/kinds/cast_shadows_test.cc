@@ -178,7 +178,7 @@ TEST(CastShadowsTest, PrismsAreNotLitInTheDirectionOfTheirEdges) {
   EXPECT_EQ(LightsOf(Prisms(false)).size(), 1);
 }
 
-TEST(SeeFromTest, TangentsAreThoseOfThePositions) {
+TEST(LightViewTest, TangentsAreThoseOfThePositions) {
   LitScene scene;
   scene.radius = 2;
   const Light lamp = {Eigen::Vector3d(0.3, -0.2, 0.9).normalized(), 0.8};
@@ -186,10 +186,10 @@ TEST(SeeFromTest, TangentsAreThoseOfThePositions) {
   place.footprint = 0.01;
   place.position_in_world = {0.7, 0.4, 0.5};
   place.tangent = Eigen::Vector3d(0.3, 0.5, 0.8).normalized();
-  const auto seen = SeeFrom(lamp, scene, place);
+  const auto seen = LightView(lamp, scene).See(place);
   ASSERT_TRUE(seen);
   place.position_in_world += 1e-5 * place.tangent;
-  const auto ahead = SeeFrom(lamp, scene, place);
+  const auto ahead = LightView(lamp, scene).See(place);
   ASSERT_TRUE(ahead);
   EXPECT_LT(((ahead->position - seen->position).normalized() - seen->tangent).norm(), 1e-3);
   // Nearer to the light, pixels are larger for it.
@@ -197,7 +197,7 @@ TEST(SeeFromTest, TangentsAreThoseOfThePositions) {
   EXPECT_GT(seen->footprint, place.footprint);
   // Along the ray there is no direction.
   place.tangent = (2.5 * lamp.direction - place.position_in_world).normalized();
-  EXPECT_FALSE(SeeFrom(lamp, scene, place));
+  EXPECT_FALSE(LightView(lamp, scene).See(place));
 }
 
 TEST(PlacesOfLinksTest, SurfacesFaceTheViewsAndTentativeLinksAreLeftOut) {

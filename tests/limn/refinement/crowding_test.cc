@@ -21,6 +21,8 @@ TEST(Crowding, OnlyOtherParallelLinksCount) {
   // Link 2 is near, but crosses.
   EXPECT_FALSE(crowding.At(At(1, {10, 6}, 0), 3));
   EXPECT_TRUE(crowding.At(At(1, {10, 6}, 1.5), 3));
+  // What passes at a distance has its next places ahead or behind.
+  EXPECT_TRUE(crowding.At(At(0, {11.4, 10}, 0.1), 2.3));
 }
 
 TEST(Crowding, FindsWhatComparingAllPairsFinds) {
@@ -33,7 +35,9 @@ TEST(Crowding, FindsWhatComparingAllPairsFinds) {
   for (const ImagePlace& place : places) {
     bool expected = false;
     for (const ImagePlace& other : places) {
-      expected |= other.link != place.link && (other.pixel - place.pixel).norm() <= 2.5;
+      const Eigen::Vector2d offset = other.pixel - place.pixel;  // all run along x
+      expected |= other.link != place.link && offset.norm() <= std::hypot(2.5, 1.5) &&
+                  std::abs(offset.y()) <= 2.5;
     }
     EXPECT_EQ(crowding.At(place, 2.5), expected);
     num_crowded += expected;
