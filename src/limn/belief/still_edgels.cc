@@ -81,6 +81,7 @@ struct PlaceAndAngle {
 };
 
 PlaceAndAngle Stored(const Edgel& edgel) {
+  if (edgel.stored_from_virtual.isIdentity(0)) return {edgel.stored_px, edgel.tangent_rad};
   const Eigen::Vector2f tangent = edgel.stored_from_virtual * edgel.Tangent().cast<float>();
   return {edgel.stored_px, std::atan2(tangent.y(), tangent.x())};
 }
