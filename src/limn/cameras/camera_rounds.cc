@@ -105,12 +105,12 @@ class CameraRounds {
   // The curves through the lenses as they are now.
   void SeeCurves() {
     small_views_ = ShrunkViews(scene_.views, level_.factor);
-    if (std::ranges::equal(scene_.views, seen_through_, {}, &View::calibration)) return;
+    if (curves_ && std::ranges::equal(scene_.views, seen_through_, {}, &View::lens)) return;
     edgels_.clear();  // before there are new ones
     curves_ = &CurvesSeenNow(scene_, context_, &level_);
     edgels_ = BuildViewEdgels(*curves_, context_);
     seen_through_.clear();
-    for (const View& view : scene_.views) seen_through_.push_back(view.calibration);
+    for (const View& view : scene_.views) seen_through_.push_back(view.lens);
   }
 
   // Nothing has moved, and nothing is gained, without a solution.
@@ -286,8 +286,8 @@ class CameraRounds {
   const std::vector<Rigid3d> given_poses_;
   std::map<int, Eigen::VectorXd> per_px_;
   std::vector<View> small_views_;
-  std::vector<std::shared_ptr<const Calibration>> seen_through_;  // with these curves
-  const std::vector<ImageCurves>* curves_ = nullptr;              // of the level
+  std::vector<std::shared_ptr<const LensMap>> seen_through_;  // with these curves
+  const std::vector<ImageCurves>* curves_ = nullptr;          // of the level
   std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
   bool has_fitted_ = false;

@@ -109,21 +109,17 @@ const std::vector<ImageCurves>& CurvesSeenNow(const CameraScene& scene, const Ru
                                               PictureLevel* level) {
   const bool are_as_made =
       level->factor == 1
-          ? std::ranges::equal(scene.views, scene.given, {}, &View::calibration, &View::calibration)
+          ? std::ranges::equal(scene.views, scene.given, {}, &View::lens, &View::lens)
           : std::ranges::none_of(scene.views,
                                  [](const View& view) { return view.lens != nullptr; });
-  if (are_as_made) {
-    level->seen = {};
-    level->seen_through = {};
-    return level->curves;
-  }
-  if (std::ranges::equal(scene.views, level->seen_through, {}, &View::calibration)) {
+  if (!are_as_made && std::ranges::equal(scene.views, level->seen_through, {}, &View::lens)) {
     return level->seen;
   }
+  level->seen_through = {};
   level->seen = {};  // before there are new ones
+  if (are_as_made) return level->curves;
   level->seen = CurvesThroughLenses(ShrunkViews(scene.views, level->factor), *level, context);
-  level->seen_through.clear();
-  for (const View& view : scene.views) level->seen_through.push_back(view.calibration);
+  for (const View& view : scene.views) level->seen_through.push_back(view.lens);
   return level->seen;
 }
 

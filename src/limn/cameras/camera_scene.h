@@ -49,9 +49,10 @@ CameraScene Scaled(CameraScene scene, double factor);
 struct PictureLevel {
   int factor = 1;
   std::vector<ImageCurves> curves;  // per view
-  // As other lenses have mapped them, and these lenses; empty if none were asked for.
+  // As lenses that were asked for have mapped them, and these lenses, per view; empty if the curves
+  // are as they see them.
   std::vector<ImageCurves> seen = {};
-  std::vector<std::shared_ptr<const Calibration>> seen_through = {};
+  std::vector<std::shared_ptr<const LensMap>> seen_through = {};
 };
 
 // Pixels of a view per pixel of a picture of it: 1 for the views as they are, View::scale times the

@@ -92,7 +92,8 @@ struct AngleBins {
 
   // Of an undirected line.
   int Of(const Eigen::Vector2d& direction) const {
-    const double cosine = direction.y() < 0 ? -direction.x() : direction.x();
+    const bool is_turned = direction.y() < 0 || (direction.y() == 0 && direction.x() < 0);
+    const double cosine = is_turned ? -direction.x() : direction.x();
     int bin = 0;
     for (int k = 0; k + 1 < kNumAngles; ++k) bin += cosine <= cosine_of_end[k] ? 1 : 0;
     return bin;

@@ -197,7 +197,6 @@ CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOpti
     ImageCurves& curves = result.curves[v];
     curves = extractor.FragmentsOf(v, linking);
     curves.edge_map.edgels.shrink_to_fit();
-    for (CurveFragment& fragment : curves.fragments) fragment.edgel_ids.shrink_to_fit();
     if (input.on_fragments) input.on_fragments(v, curves);
     ViewCounts& of_view = counts[i];
     of_view = CountLinked(curves);

@@ -169,8 +169,7 @@ void CameraRefiner::RefineAsStored(const CameraRoundsInput& input) {
 }
 
 std::vector<ImageCurves> CameraRefiner::TakeCurves() {
-  Curves();
-  return std::move(stored_.seen.empty() ? stored_.curves : stored_.seen);
+  return std::move(&Curves() == &stored_.curves ? stored_.curves : stored_.seen);
 }
 
 // Smaller pictures, with their curves whatever the lenses.

@@ -88,7 +88,7 @@ class CameraRefiner {
   // if neither happened.
   const RowMotion& Rows() const { return rows_; }
 
-  // Of the pictures as stored, as the cameras see them now.
+  // Of the pictures as stored, as the cameras see them now. Valid until lenses change.
   const std::vector<ImageCurves>& Curves() { return CurvesSeenNow(scene_, context_, &stored_); }
 
   // Taking them ends its work.

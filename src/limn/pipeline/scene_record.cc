@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kRecordName = "drawing";
 // To be incremented when the drawing of the same input changes.
-constexpr int kRecordVersion = 7;
+constexpr int kRecordVersion = 8;
 
 DrawingMetadata NamesIn(const SceneRecord& record) {
   DrawingMetadata metadata;

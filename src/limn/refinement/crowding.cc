@@ -8,8 +8,6 @@ namespace limn {
 namespace {
 
 const double kMinCosine = std::cos(20 * kDeg);
-// Of the distance between the places of a link.
-constexpr double kHalfStepPx = 1.5;
 
 EdgelIndex IndexOf(const std::vector<ImagePlace>& places) {
   EdgeMap map;
@@ -23,9 +21,9 @@ EdgelIndex IndexOf(const std::vector<ImagePlace>& places) {
 Crowding::Crowding(std::vector<ImagePlace> places)
     : places_(std::move(places)), index_(IndexOf(places_)) {}
 
-bool Crowding::At(const ImagePlace& place, double distance_px) const {
+bool Crowding::At(const ImagePlace& place, double distance_px, double half_step_px) const {
   bool crowded = false;
-  index_.ForEachWithin(place.pixel, std::hypot(distance_px, kHalfStepPx), [&](EdgelId id) {
+  index_.ForEachWithin(place.pixel, std::hypot(distance_px, half_step_px), [&](EdgelId id) {
     const ImagePlace& other = places_[id];
     if (other.link == place.link) return;
     const Eigen::Vector2d offset = other.pixel - place.pixel;

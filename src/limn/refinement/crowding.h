@@ -21,9 +21,9 @@ class Crowding {
  public:
   explicit Crowding(std::vector<ImagePlace> places);
 
-  // Returns whether another link passes within the distance, in nearly the same direction. Its
-  // places may be 3 px apart.
-  bool At(const ImagePlace& place, double distance_px) const;
+  // Returns whether another link passes within the distance, in nearly the same direction, with a
+  // place up to half a step ahead or behind.
+  bool At(const ImagePlace& place, double distance_px, double half_step_px) const;
 
  private:
   std::vector<ImagePlace> places_;

@@ -8,12 +8,15 @@
 
 #include "limn/refinement/crowding.h"
 #include "limn/support/edgel_residual.h"
+#include "limn/topology/fragment_neighbors.h"
 
 namespace limn {
 namespace {
 
 // Of a segment: only one that the fit has thrown far away is longer.
 constexpr double kMaxSegmentSamples = 1000;
+// Of links with fewer segments single samples of them might all be at ends that take no data.
+constexpr int kFewSegments = 4;
 // Image edges nearer to each other than this displace each other or merge, px.
 constexpr double kResolvedPx = 3;
 // An edgel is given up if another link passes nearer to it by more than this, px.
@@ -41,6 +44,7 @@ std::vector<FitSample> MakeSamples(const ControlGraph& control, const ControlLin
     arc_px.push_back(arc_px.back() + SegmentPx(control, link.points[s], link.points[s + 1]));
   }
   std::vector<FitSample> samples;
+  const int least = link.NumSegments() < kFewSegments ? 2 : 1;
   for (int s = 0; s < link.NumSegments(); ++s) {
     const Eigen::Vector3d& from = control.position[link.points[s]];
     const Eigen::Vector3d& to = control.position[link.points[s + 1]];
@@ -48,7 +52,7 @@ std::vector<FitSample> MakeSamples(const ControlGraph& control, const ControlLin
     const Eigen::Vector3d tangent = Tangent(control, link, s - 1, s + 2);
     const double length_px = arc_px[s + 1] - arc_px[s];
     const double num_steps = std::min(length_px / spacing_px, kMaxSegmentSamples);
-    const int count = std::max(1, static_cast<int>(std::lround(num_steps)));
+    const int count = std::max(least, static_cast<int>(std::lround(num_steps)));
     for (int k = 0; k < count; ++k) {
       const double t = (k + 0.5) / count;
       const double at_px = arc_px[s] + t * length_px;
@@ -100,14 +104,20 @@ struct Answer {
 constexpr double kMinShare = 0.01;
 constexpr double kShareAlone = 0.1;
 
-// Share of an independent observation: the step to the next sample in the image, divided by the
-// correlation length.
-double Share(const Edgel& edgel, const std::vector<Answer>& answers, int k, double correlation_px) {
+// From a sample to the next one in the virtual image, or else from the previous one.
+std::optional<Eigen::Vector2d> StepAt(const std::vector<Answer>& answers, int k) {
   const int size = static_cast<int>(answers.size());
   const int other = k + 1 < size && answers[k + 1].sight ? k + 1 : k - 1;
-  if (other < 0 || !answers[other].sight) return kShareAlone;
-  const Eigen::Vector2d step = answers[other].sight->position_px - answers[k].sight->position_px;
-  const double step_px = (edgel.stored_from_virtual.cast<double>() * step).norm();
+  if (other < 0 || !answers[other].sight) return std::nullopt;
+  return answers[other].sight->position_px - answers[k].sight->position_px;
+}
+
+// Share of an independent observation: the step to the next sample in the image, divided by the
+// correlation length.
+double Share(const Edgel& edgel, const std::optional<Eigen::Vector2d>& step,
+             double correlation_px) {
+  if (!step) return kShareAlone;
+  const double step_px = (edgel.stored_from_virtual.cast<double>() * *step).norm();
   return std::clamp(step_px / correlation_px, kMinShare, 1.0);
 }
 
@@ -135,11 +145,12 @@ void AddView(const TopologyInput& input, const RefinementOptions& options, ViewI
     const ImagePlace place = {link, sight->position_px, sight->direction};
     const EdgelRef ref{view, match->edgel};
     EdgelPull pull = {ref, input.LineOf(ref)};
-    pull.weight = Share(edgel, answers, k, options.correlation_px) / ResidualVariance(edgel);
+    const std::optional<Eigen::Vector2d> step = StepAt(answers, k);
+    pull.weight = Share(edgel, step, options.correlation_px) / ResidualVariance(edgel);
     pull.residual_px = match->normal_residual_px;
     // All views of an edge in the same light agree on its brighter side.
     pull.bright_left = edgel.Tangent().dot(place.direction) > 0;
-    pull.crowded = crowding.At(place, kResolvedPx);
+    pull.crowded = crowding.At(place, kResolvedPx, step ? 0.5 * step->norm() : 0);
     (*samples)[k].pulls.push_back(pull);
   });
 }
@@ -176,36 +187,40 @@ void RequireViews(int min_views, std::vector<EdgelPull>* pulls) {
   if (std::ssize(*pulls) < min_views) pulls->clear();
 }
 
-// The link that fits an edgel best.
-struct BestFit {
-  float residual_px = std::numeric_limits<float>::infinity();
+// Residuals at an edgel, px: of the link that fits it best, and of the best other one.
+struct BestFits {
   int link = -1;
+  float of_link_px = std::numeric_limits<float>::infinity();
+  float of_other_px = std::numeric_limits<float>::infinity();
+
+  void Add(int other, float residual_px) {
+    if (other == link) {
+      of_link_px = std::min(of_link_px, residual_px);
+    } else if (residual_px < of_link_px) {
+      of_other_px = of_link_px;
+      link = other;
+      of_link_px = residual_px;
+    } else {
+      of_other_px = std::min(of_other_px, residual_px);
+    }
+  }
+  float BestBut(int own) const { return own == link ? of_other_px : of_link_px; }
 };
 
 // Edgels on either side of one that are compared with it, along its fragment: samples of two links
 // seldom find the same one.
 constexpr int kBeside = 1;
 
-// Calls visit(edgel) at the edgel and those beside it on its fragment.
-template <typename Visit>
-void ForEachBeside(const TopologyInput& input, const EdgelRef& ref, Visit&& visit) {
-  const FragmentPlace& place = input.edgels[ref.view]->place_of[ref.edgel];
-  const std::vector<EdgelId>& ids = input.curves[ref.view].fragments[place.fragment].edgel_ids;
-  const int end = std::min(place.index + kBeside + 1, static_cast<int>(ids.size()));
-  for (int i = std::max(0, place.index - kBeside); i < end; ++i) visit(ids[i]);
-}
-
 // Gives up edgels that another link fits better.
 void KeepBest(const TopologyInput& input, int min_views, ControlGraph* control) {
-  std::vector<std::vector<BestFit>> best;  // per view and edgel
+  std::vector<std::vector<BestFits>> best;  // per view and edgel
   for (const ImageCurves& of_view : input.curves) best.emplace_back(of_view.edge_map.edgels.size());
   for (size_t l = 0; l < control->links.size(); ++l) {
     for (const FitSample& sample : control->links[l].samples) {
       for (const EdgelPull& pull : sample.pulls) {
         const auto residual_px = static_cast<float>(std::abs(pull.residual_px));
-        ForEachBeside(input, pull.ref, [&](EdgelId edgel) {
-          BestFit& fit = best[pull.ref.view][edgel];
-          if (residual_px < fit.residual_px) fit = {residual_px, static_cast<int>(l)};
+        ForEachNeighbor(input, pull.ref, kBeside, [&](EdgelId edgel) {
+          best[pull.ref.view][edgel].Add(static_cast<int>(l), residual_px);
         });
       }
     }
@@ -213,9 +228,8 @@ void KeepBest(const TopologyInput& input, int min_views, ControlGraph* control) 
   for (size_t l = 0; l < control->links.size(); ++l) {
     for (FitSample& sample : control->links[l].samples) {
       std::erase_if(sample.pulls, [&](const EdgelPull& pull) {
-        const BestFit& fit = best[pull.ref.view][pull.ref.edgel];
-        return fit.link != static_cast<int>(l) &&
-               std::abs(pull.residual_px) > fit.residual_px + kClearlyBetterPx;
+        const BestFits& fits = best[pull.ref.view][pull.ref.edgel];
+        return std::abs(pull.residual_px) > fits.BestBut(static_cast<int>(l)) + kClearlyBetterPx;
       });
       RequireViews(min_views, &sample.pulls);
     }

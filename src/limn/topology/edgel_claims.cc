@@ -1,7 +1,8 @@
 #include "limn/topology/edgel_claims.h"
 
-#include <algorithm>
 #include <utility>
+
+#include "limn/topology/fragment_neighbors.h"
 
 namespace limn {
 
@@ -20,11 +21,10 @@ EdgelClaims CollectClaims(const TopologyInput& input, const DrawingGraph& graph)
 }
 
 bool IsClaimed(const CurveFragment& fragment, int index, std::span<const LinkPoint> claims) {
-  const int last = std::min(static_cast<int>(fragment.edgel_ids.size()) - 1, index + 1);
-  for (int i = std::max(0, index - 1); i <= last; ++i) {
-    if (claims[fragment.edgel_ids[i]].link >= 0) return true;
-  }
-  return false;
+  bool is_claimed = false;
+  ForEachNeighbor(fragment, index, kClaimedNeighbors,
+                  [&](EdgelId id) { is_claimed |= claims[id].link >= 0; });
+  return is_claimed;
 }
 
 std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph,

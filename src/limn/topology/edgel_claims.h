@@ -25,8 +25,8 @@ using EdgelClaims = std::vector<std::vector<LinkPoint>>;
 // Time: the edgels of all views and the support of all vertices.
 EdgelClaims CollectClaims(const TopologyInput& input, const DrawingGraph& graph);
 
-// Returns whether the edgel at an index of a fragment, or a neighbor on the fragment, supports a
-// link: points of links are up to 2 px apart. `claims` are those of the fragment's view.
+// Returns whether the edgel at an index of a fragment, or one up to kClaimedNeighbors from it on
+// the fragment, supports a link. `claims` are those of the fragment's view.
 bool IsClaimed(const CurveFragment& fragment, int index, std::span<const LinkPoint> claims);
 
 // Per view, the edgels of fragments that are not claimed.

@@ -15,6 +15,7 @@
 #include "limn/geometry/tangent_frame.h"
 #include "limn/support/segment_support.h"
 #include "limn/topology/edgel_claims.h"
+#include "limn/topology/fragment_neighbors.h"
 #include "limn/topology/spanned_pairs.h"
 #include "limn/util/angles.h"
 #include "limn/util/map_items.h"
@@ -42,7 +43,6 @@ constexpr double kEdgelStepPx = 1.2;
 // An edge is drawn already if this share of its edgels, or neighbors on their fragments, support
 // one link.
 constexpr double kDrawnShare = 0.5;
-constexpr int kClaimedNeighbors = 1;
 // An edge is not added if better ones explain this share of its edgels, and replaces links of whose
 // edgels it explains this share. An edgel explains its neighbors on the fragment, too.
 constexpr double kMaxExplainedShare = 0.5;
@@ -56,15 +56,6 @@ struct LongEdge {
   JointPair ends;
   std::vector<ViewId> seen_in;
 };
-
-// Calls visit(EdgelId) for an edgel and those up to this many places from it on its fragment.
-template <typename Visit>
-void ForEachNeighbor(const TopologyInput& input, const EdgelRef& ref, int reach, Visit&& visit) {
-  const auto& [fragment, index] = input.edgels[ref.view]->place_of[ref.edgel];
-  const std::vector<EdgelId>& ids = input.curves[ref.view].fragments[fragment].edgel_ids;
-  const int end = std::min(index + reach + 1, static_cast<int>(ids.size()));
-  for (int i = std::max(0, index - reach); i < end; ++i) visit(ids[i]);
-}
 
 // The edgels that the edges found so far explain.
 class Explained {

@@ -14,15 +14,16 @@ ImagePlace At(int link, const Eigen::Vector2d& pixel, double angle) {
 
 TEST(Crowding, OnlyOtherParallelLinksCount) {
   const Crowding crowding({At(0, {10, 10}, 0), At(1, {10, 12}, 0.1), At(2, {10, 7.5}, 1.5)});
-  EXPECT_TRUE(crowding.At(At(0, {10, 10}, 0), 3));
-  EXPECT_FALSE(crowding.At(At(0, {10, 10}, 0), 1.9));
+  EXPECT_TRUE(crowding.At(At(0, {10, 10}, 0), 3, 1.5));
+  EXPECT_FALSE(crowding.At(At(0, {10, 10}, 0), 1.9, 1.5));
   // Undirected.
-  EXPECT_TRUE(crowding.At(At(0, {10, 10}, M_PI), 3));
+  EXPECT_TRUE(crowding.At(At(0, {10, 10}, M_PI), 3, 1.5));
   // Link 2 is near, but crosses.
-  EXPECT_FALSE(crowding.At(At(1, {10, 6}, 0), 3));
-  EXPECT_TRUE(crowding.At(At(1, {10, 6}, 1.5), 3));
+  EXPECT_FALSE(crowding.At(At(1, {10, 6}, 0), 3, 1.5));
+  EXPECT_TRUE(crowding.At(At(1, {10, 6}, 1.5), 3, 1.5));
   // What passes at a distance has its next places ahead or behind.
-  EXPECT_TRUE(crowding.At(At(0, {11.4, 10}, 0.1), 2.3));
+  EXPECT_TRUE(crowding.At(At(0, {11.4, 10}, 0.1), 2.3, 1.5));
+  EXPECT_FALSE(crowding.At(At(0, {14, 10}, 0.1), 2.3, 1.5));
 }
 
 TEST(Crowding, FindsWhatComparingAllPairsFinds) {
@@ -39,14 +40,14 @@ TEST(Crowding, FindsWhatComparingAllPairsFinds) {
       expected |= other.link != place.link && offset.norm() <= std::hypot(2.5, 1.5) &&
                   std::abs(offset.y()) <= 2.5;
     }
-    EXPECT_EQ(crowding.At(place, 2.5), expected);
+    EXPECT_EQ(crowding.At(place, 2.5, 1.5), expected);
     num_crowded += expected;
   }
   EXPECT_GT(num_crowded, 50);
   EXPECT_LT(num_crowded, 350);
 }
 
-TEST(Crowding, NoPlacesCrowdNothing) { EXPECT_FALSE(Crowding({}).At(At(0, {1, 1}, 0), 3)); }
+TEST(Crowding, NoPlacesCrowdNothing) { EXPECT_FALSE(Crowding({}).At(At(0, {1, 1}, 0), 3, 1.5)); }
 
 }  // namespace
 }  // namespace limn

@@ -106,7 +106,7 @@ class EdgelMatchesTest : public ::testing::Test {
 TEST_F(EdgelMatchesTest, EveryViewThatShowsTheLinkPullsOnce) {
   AddLink({0, 0, 0});
   const std::vector<FitSample> matches = MatchFirst();
-  EXPECT_GT(matches.size(), 30u);
+  EXPECT_GT(matches.size(), 15u);
   for (const FitSample& sample : matches) {
     ASSERT_EQ(sample.pulls.size(), static_cast<size_t>(kNumMatchViews));
     for (int v = 0; v < kNumMatchViews; ++v) {
