@@ -14,7 +14,7 @@ namespace {
 // Measured (algorithm/cache.md#what-a-run-needs). Edges are lines: what a view needs grows with its
 // side, the square root of its pixels.
 constexpr double kProgramBytes = 100e6;
-constexpr double kBytesPerSidePx = 17e3;
+constexpr double kBytesPerSidePx = 20e3;
 constexpr double kCacheBytesPerSidePx = 1.6e3;
 // While edges are found, of what views need in the end, and per pixel of the largest one and
 // thread.

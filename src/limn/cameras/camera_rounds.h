@@ -46,11 +46,11 @@ struct CameraRoundsResult {
   RowMotion rows;  // if the input asks for them; else of no view
 };
 
-// Moves the cameras of the scene so that the edges of a drawing lie on the edgels of all views that
-// show them (algorithm/cameras.md). Each round matches the links with edgels, fits cameras and
-// places on links together (FitCameras), then the links under these cameras. The lenses are
-// taken as linear in their parameters within a round. Rounds without a solution change nothing.
-// Throws Cancelled.
+// Moves the cameras of the scene, of which `level` has the pictures, so that the edges of a drawing
+// lie on the edgels of all views that show them (algorithm/cameras.md). Each round matches the
+// links with edgels, fits cameras and places on links together (FitCameras), then the links under
+// these cameras. The lenses are taken as linear in their parameters within a round. Rounds without
+// a solution change nothing. Throws Cancelled.
 CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
                                           const RefinementOptions& options,
                                           const RunContext& context, PictureLevel* level,
