@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -75,7 +74,8 @@ void CutEnd(const TopologyInput& input, const ViewFinder& finder, Rod* rod) {
   const Eigen::Vector3d before = rod->axis[rod->axis.size() - 2];
   const std::vector<ViewId> views = finder.NearAnyOf({end});
   const auto places = LookAlongRod(input, *rod, rod->axis.size() - 2, views, kGrownGate);
-  const auto last = std::ranges::find_if(std::views::reverse(places), &RodPlace::IsShown);
+  const auto last = std::find_if(places.rbegin(), places.rend(),
+                                 [](const RodPlace& place) { return place.IsShown(); });
   if (last == places.rend()) return;  // a short rod that did not grow
   end = before + (last->t + 0.5 / static_cast<double>(places.size())) * (end - before);
 }

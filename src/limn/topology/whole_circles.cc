@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <span>
 #include <utility>
@@ -389,8 +388,8 @@ class CircleCompletion {
     const int first = by_point.begin()->first;
     TakeNodes(by_point.begin()->second, editor_.Split(circle, first));
     by_point.erase(by_point.begin());
-    for (const auto& [k, nodes_there] : std::views::reverse(by_point)) {
-      TakeNodes(nodes_there, editor_.Split(circle, k - first));
+    for (auto cut = by_point.rbegin(); cut != by_point.rend(); ++cut) {
+      TakeNodes(cut->second, editor_.Split(circle, cut->first - first));
     }
   }
 
