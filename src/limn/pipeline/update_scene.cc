@@ -29,7 +29,7 @@ namespace {
 
 // If a larger share of the views has changed, everything is drawn: what they add to places that are
 // drawn already is lost.
-constexpr double kMaxChangedShare = 0.1;
+constexpr double kMaxChangedShare = 0.05;
 // A link that loses this share of the views that support it is drawn again.
 constexpr double kLostShare = 0.25;
 // A view supports a link with this many edgels along it, at steps of a px.
