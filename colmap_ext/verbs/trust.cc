@@ -5,8 +5,10 @@
 
 #include "colmap_ext/host/provenance.h"
 #include "limn/belief/still_edgels.h"
+#include "limn/evaluation/explained_edgels.h"
 #include "limn/evaluation/quantiles.h"
 #include "limn/evaluation/view_agreement.h"
+#include "limn/evaluation/weak_cut.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/footprint.h"
 #include "limn/model/link_selection.h"
@@ -30,6 +32,11 @@ constexpr double kMuchUnmeasured = 0.1;
 constexpr double kMostUnmeasured = 0.5;
 // Some edgels seem to stand still by chance; more than this is worth a warning.
 constexpr double kMuchStill = 0.1;
+// With right cameras and enough photographs some percent are doubtful.
+constexpr double kMuchTentative = 0.4;
+// Some edges are seen behind others by chance; more of those drawn than this at several depths are
+// worth a warning.
+constexpr double kMuchAtOtherDepths = 0.04;
 // A drawing of which more than this is expected to be right is good, one with less than the other
 // is nonsense (algorithm/belief.md#verdict).
 constexpr double kGoodShare = 0.5;
@@ -85,6 +92,30 @@ void AddAgreement(const std::vector<ImageAgreement>& images, Trust* trust) {
   trust->agree_less = NamesOf(images, [&](const auto& image) {
     return has_edges(image) && image.share < kMuchLess * median;
   });
+}
+
+void AddExplanations(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+                     const DrawingGraph& graph, Trust* trust) {
+  const auto explained = FindExplainedEdgels(views, curves, graph, RunContext{});
+  StillEdgels still = FindStillEdgels(views, curves, graph);
+  for (size_t v = 0; v < views.size(); ++v) {
+    for (size_t e = 0; e < still[v].size(); ++e) {
+      if (explained[v][e].is_firm) still[v][e] = 0;
+    }
+  }
+  trust->still = StillShare(still);
+  trust->at_other_depths = ShareAtOtherDepths(explained);
+}
+
+void AddWeakCut(const ViewSet& set, const std::vector<View>& views, const DrawingGraph& graph,
+                Trust* trust) {
+  const auto cut = FindWeakCut(static_cast<int>(views.size()), MeasureSharedSupport(views, graph));
+  if (!cut) return;
+  for (const ViewId v : cut->smaller) {
+    const std::string& name = set.ImageName(v);
+    if (trust->apart.empty() || trust->apart.back() != name) trust->apart.push_back(name);
+  }
+  trust->shared_if_apart = cut->shared;
 }
 
 // The length of curves that many views see, and their expected errors in px.
@@ -158,6 +189,16 @@ void WarnOfNonsense(const Trust& trust, bool has_box, Console* console) {
                (has_box ? ", a box beside the scene" : ""));
 }
 
+void SayApart(const Trust& trust, Console* console) {
+  console->Say("WARNING: the cameras of " + std::to_string(trust.apart.size()) + " of " +
+               std::to_string(trust.num_images) +
+               " images do not fit those of the others: " + ListNames(trust.apart) +
+               ". Images of the two groups share " + Percent(trust.shared_if_apart) +
+               " of the curves that they would share if all fitted, so that lines may be drawn "
+               "twice. Usual causes: models that were merged wrongly, a loop that was not closed. "
+               "Make the model anew, or draw the groups one by one (--image_list_path)");
+}
+
 void SayCertainty(const Trust& trust, Console* console) {
   console->Say(
       Percent(*trust.well_seen) + " of the drawing's length is seen by " +
@@ -188,8 +229,9 @@ Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
   trust.num_images = set.CountImages(IdsOf(std::nullopt, views.size()));
   if (!curves.empty()) {
     AddAgreement(OfImages(set, MeasureAgreement(views, curves, graph)), &trust);
-    trust.still = StillShare(FindStillEdgels(views, curves, graph));
+    AddExplanations(views, curves, graph, &trust);
   }
+  AddWeakCut(set, views, graph, &trust);
   AddCertainty(set, views, graph, &trust);
   return trust;
 }
@@ -210,14 +252,16 @@ Verdict VerdictOf(const Trust& trust, bool has_box) {
   if (ExplainsNothing(trust, has_box) || HasNoDepth(trust)) return Verdict::kNonsense;
   if (!trust.right) return Verdict::kDoubtful;
   if (*trust.right < kNonsenseShare) return Verdict::kNonsense;
-  return *trust.right > kGoodShare ? Verdict::kGood : Verdict::kDoubtful;
+  return *trust.right > kGoodShare && trust.apart.empty() ? Verdict::kGood : Verdict::kDoubtful;
 }
 
 void SayTrust(const Trust& trust, bool has_box, Console* console) {
   if (trust.explained) SayAgreement(trust, has_box, console);
   if (trust.tentative) {
-    console->Say(Percent(*trust.tentative) +
-                 " of the length found is doubtful, hence tentative and not exported");
+    const bool is_much = *trust.tentative > kMuchTentative;
+    console->Say((is_much ? "WARNING: " : "") + Percent(*trust.tentative) +
+                 " of the length found is doubtful, hence tentative and not exported" +
+                 (is_much ? ": the images hardly agree. Look at the cameras first" : ""));
   }
   if (trust.unmeasured.value_or(0) > kMuchUnmeasured) {
     console->Say("WARNING: the depth of " + Percent(*trust.unmeasured) +
@@ -232,6 +276,14 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
                  "mask them (--mask_path)" +
                  (trust.right ? ". Curves along them are drawn only where they are sure" : ""));
   }
+  if (trust.at_other_depths.value_or(0) > kMuchAtOtherDepths) {
+    console->Say(
+        "WARNING: " + Percent(*trust.at_other_depths) +
+        " of the edges that are drawn fit curves at several depths, as stripes, fences and "
+        "grids do that repeat in step with the cameras: those curves may be wrong by whole "
+        "steps. Add photographs from other distances or directions");
+  }
+  if (!trust.apart.empty()) SayApart(trust, console);
   if (trust.error_px && trust.error_90_px) SayCertainty(trust, console);
   SayVerdict(trust, has_box, console);
 }

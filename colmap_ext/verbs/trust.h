@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "colmap_ext/host/console.h"
@@ -32,6 +33,10 @@ struct Trust {
   // Images with hardly any edges, and those that agree much less than the others, with the
   // percentage of their edges that are drawn, least first.
   std::vector<NamedNumber> without_edges, agree_less;
+  // Images whose cameras do not fit those of the others (limn/evaluation/weak_cut.h), with what
+  // they share of what they would share if all fitted. Empty if all do.
+  std::vector<std::string> apart;
+  double shared_if_apart = 1;
   // Share of the length that kManyImages or more see.
   std::optional<double> well_seen;
   // Expected error, median and 90 % of the length, px: with that of refined cameras, or if the
@@ -45,9 +50,10 @@ struct Trust {
   std::optional<double> tentative;
   // Share whose depth was not measured (LinkDoubt::kDepth); part of `tentative`.
   std::optional<double> unmeasured;
-  // Share of the edgels that stand still (limn/belief/still_edgels.h). Nothing if the edges are not
-  // known.
-  std::optional<double> still;
+  // Share of the edgels that stand still (limn/belief/still_edgels.h) and that nothing drawn
+  // explains, and, of those that are explained, of those that are so at several depths
+  // (limn/evaluation/explained_edgels.h). Nothing if the edges are not known.
+  std::optional<double> still, at_other_depths;
 };
 
 // `views` are those of the set with the cameras that the drawing fits; `curves` belong to them, or
@@ -56,11 +62,12 @@ Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
                    const std::vector<ImageCurves>& curves, const DrawingGraph& graph);
 
 // By what is expected to be right, what is explained and what was measured; doubtful if none of
-// this is known.
+// this is known, or if images are apart.
 Verdict VerdictOf(const Trust& trust, bool has_box);
 
 // Reports it. Warns if the drawing explains hardly anything, if images agree with it much less than
-// the others, and about images without edges. With a box, a drawing may explain little.
+// the others, if groups of images do not fit each other, and about images without edges. With a
+// box, a drawing may explain little.
 void SayTrust(const Trust& trust, bool has_box, Console* console);
 
 // Both, of a drawing whose views are those of the set.

@@ -17,10 +17,17 @@ namespace limn::colmap_ext {
 namespace {
 
 constexpr double kSamePosePx = 0.25;
+// Copies that structure from motion gave poses of their own.
+constexpr double kCopyPosePx = 2;
 constexpr double kSamePictureLevels = 2;
 constexpr int kPictureSize = 64;
+// Copies differ less, px by px, than by this share of what a shift by one px would change, or by
+// this much, as pictures that were compressed again do.
+constexpr int kCopySize = 1024;
+constexpr double kCopyShare = 0.5;
+constexpr double kCopyLevels = 1;
 // Of the distances of cameras from their middle: poses that differ by more are never compared.
-constexpr double kMaxRelativeDistance = 1e-3;
+constexpr double kMaxRelativeDistance = 1e-2;
 
 // Of the numbers among them; 0 if there are none.
 double MedianOf(std::vector<double> values) {
@@ -44,6 +51,30 @@ std::vector<std::string> IdentitiesOfEqualSizes(const std::vector<std::string>& 
   return identities;
 }
 
+double MeanDifference(const Image& a, const Image& b, int shift_x, int shift_y) {
+  double sum = 0;
+  int64_t count = 0;
+  for (int y = 0; y < a.height - shift_y; ++y) {
+    for (int x = 0; x < a.width - shift_x; ++x) {
+      const size_t at = (static_cast<size_t>(y) * a.width + x) * a.channels;
+      const size_t shifted =
+          (static_cast<size_t>(y + shift_y) * a.width + x + shift_x) * a.channels;
+      for (int c = 0; c < a.channels; ++c) sum += std::abs(a.data[at + c] - b.data[shifted + c]);
+      count += a.channels;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+// Pictures of the same place that were taken apart are displaced, copies are not.
+bool AreCopies(const Image& a, const Image& b) {
+  if (a.data.empty() || a.width != b.width || a.height != b.height || a.channels != b.channels) {
+    return false;
+  }
+  const double of_shift = (MeanDifference(a, a, 1, 0) + MeanDifference(a, a, 0, 1)) / 2;
+  return MeanDifference(a, b, 0, 0) <= std::max(kCopyShare * of_shift, kCopyLevels);
+}
+
 // Looks for nearly the same pictures from nearly the same poses.
 class PoseComparison {
  public:
@@ -56,7 +87,8 @@ class PoseComparison {
       const double panorama_focal = static_cast<double>(camera.width) / (2 * M_PI);
       focal_lengths_.push_back(camera.IsPanorama() ? panorama_focal : IntrinsicsOf(camera).fx);
     }
-    max_distance_ = kMaxRelativeDistance * SpreadOfCenters();
+    spread_ = SpreadOfCenters();
+    max_distance_ = kMaxRelativeDistance * spread_;
     SortAlongLongestAxis();
   }
 
@@ -69,7 +101,9 @@ class PoseComparison {
     for (; near != order_.end() && centers_[*near][axis_] <= x + max_distance_; ++near) {
       const int k = *near;
       if (k >= i || original[k] >= 0 || (first >= 0 && k > first)) continue;
-      if (IsSamePose(k, i) && IsSamePicture(PictureOf(k), PictureOf(i))) first = k;
+      const double px = PoseDifferencePx(k, i);
+      if (px > kCopyPosePx || !IsSamePicture(PictureOf(k), PictureOf(i))) continue;
+      if (px <= kSamePosePx || AreCopies(LargePictureOf(k), LargePictureOf(i))) first = k;
     }
     return first;
   }
@@ -98,15 +132,18 @@ class PoseComparison {
                      [&](int a, int b) { return centers_[a][axis_] < centers_[b][axis_]; });
   }
 
-  bool IsSamePose(int a, int b) {
+  // By how much the difference of two poses moves what is at the median depth of the points, which
+  // is guessed without any.
+  double PoseDifferencePx(int a, int b) {
     const double distance = (centers_[a] - centers_[b]).norm();
-    if (!(distance <= max_distance_)) return false;
-    const double turn = model_.images[images_[a]].cam_from_world.rotation.angularDistance(
-        model_.images[images_[b]].cam_from_world.rotation);
-    if (!(turn * focal_lengths_[a] <= kSamePosePx)) return false;
-    // Nothing is as near as max_distance_.
-    const double depth = std::max(DepthOf(a), max_distance_);
-    return distance * focal_lengths_[a] <= kSamePosePx * depth;
+    if (distance == 0 && spread_ == 0) return TurnPx(a, b);
+    const double depth = DepthOf(a);
+    return std::max(TurnPx(a, b), distance * focal_lengths_[a] / (depth > 0 ? depth : spread_));
+  }
+
+  double TurnPx(int a, int b) const {
+    return focal_lengths_[a] * model_.images[images_[a]].cam_from_world.rotation.angularDistance(
+                                   model_.images[images_[b]].cam_from_world.rotation);
   }
 
   // Median of the points that the image sees, of a panorama all around; 0 if there are none.
@@ -129,12 +166,15 @@ class PoseComparison {
   // Small; empty if the file is damaged.
   const Image& PictureOf(int i) {
     const auto [found, is_new] = pictures_.try_emplace(i);
-    if (!is_new) return found->second;
-    const auto complaint = photos_.Check(paths_[i], kPictureSize).complaint;
-    if (!complaint || !complaint->is_damage) {
-      found->second = photos_.Read(paths_[i], kPictureSize);
-    }
+    if (is_new) found->second = ReadPicture(i, kPictureSize);
     return found->second;
+  }
+
+  Image LargePictureOf(int i) const { return ReadPicture(i, kCopySize); }
+
+  Image ReadPicture(int i, int size) const {
+    const auto complaint = photos_.Check(paths_[i], size).complaint;
+    return complaint && complaint->is_damage ? Image() : photos_.Read(paths_[i], size);
   }
 
   static bool IsSamePicture(const Image& a, const Image& b) {
@@ -155,6 +195,7 @@ class PoseComparison {
   const PhotoStore& photos_;
   std::vector<Eigen::Vector3d> centers_;
   std::vector<double> focal_lengths_;
+  double spread_ = 0;
   double max_distance_ = 0;
   int axis_ = 0;
   std::vector<int> order_;  // of centers_ along the axis

@@ -15,9 +15,10 @@ struct DuplicateImage {
   int of = 0;  // comes before it, and is not a duplicate itself
 };
 
-// Images that add nothing, ascending: files with the same bytes, and pictures that are nearly the
-// same (by two gray levels on average) from nearly the same pose (by a quarter of a pixel at the
-// median depth of the points that are seen; without points the same pose). `images` are indices
+// Images that add nothing, ascending: files with the same bytes, pictures that are nearly the same
+// (by two gray levels on average, when small) from nearly the same pose (by a quarter of a pixel at
+// the median depth of the points that are seen), and copies, which are not displaced although their
+// poses are, by up to two pixels. `images` are indices
 // into model.images, `paths` their files. Files of equal size are read, pictures of equal poses
 // decoded; the rest costs n log n. Throws IoError.
 std::vector<DuplicateImage> FindDuplicateImages(const SparseModel& model,

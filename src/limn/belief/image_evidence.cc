@@ -109,16 +109,23 @@ double EvidenceOf(const Counts& counts, double num_samples) {
   return evidence;
 }
 
-}  // namespace
-
-double ImageEvidence::OwnShare() const {
-  double num_hits = 0;
-  double num_own = 0;
+// Of the hits that have the property; `of_none` without hits.
+double ShareOfHits(const std::vector<LinkSight>& sights, bool SampleHit::*property,
+                   double of_none) {
+  double num_hits = 0, num_with = 0;
   for (const LinkSight& sight : sights) {
     num_hits += static_cast<double>(sight.hits.size());
-    num_own += static_cast<double>(std::ranges::count(sight.hits, true, &SampleHit::own));
+    num_with += static_cast<double>(std::ranges::count(sight.hits, true, property));
   }
-  return num_hits > 0 ? num_own / num_hits : 1;
+  return num_hits > 0 ? num_with / num_hits : of_none;
+}
+
+}  // namespace
+
+double ImageEvidence::OwnShare() const { return ShareOfHits(sights, &SampleHit::own, 1); }
+
+double ImageEvidence::ElsewhereShare() const {
+  return ShareOfHits(sights, &SampleHit::elsewhere, 0);
 }
 
 ImageEvidence FindEvidence(const TopologyInput& input, const ViewFinder& finder,

@@ -24,6 +24,8 @@ struct SampleHit {
   float residual_px = 0;
   // Whether no better link explains the edgel (FindClaims).
   bool own = true;
+  // If not its own: whether the better link is at another depth in this view.
+  bool elsewhere = false;
 };
 
 // What one view shows of a link; hits ascend by sample.
@@ -45,6 +47,8 @@ struct ImageEvidence {
 
   // Share of the hits that are its own; 1 if there are none.
   double OwnShare() const;
+  // Share of the hits that better links at other depths explain.
+  double ElsewhereShare() const;
 };
 
 // The gate of the input is the widest of three: half and a quarter of its distance are tried, too.

@@ -11,6 +11,8 @@ namespace {
 constexpr double kSameEdgePx = 1.5;
 constexpr double kSameDirectionCosine = 0.9;
 constexpr int kUnclaimed = -1;
+// Links whose depths differ by more than this factor are different curves.
+constexpr float kOtherDepth = 1.15F;
 
 // Links that more views show come first.
 std::vector<int> ByShowingViews(const std::vector<ImageEvidence>& links) {
@@ -27,28 +29,33 @@ class Claims {
   Claims(const TopologyInput& input, ViewId view)
       : edge_map_(input.curves[view].edge_map),
         edgels_(input.edgels[view]->edgels),
-        owner_(edge_map_.edgels.size(), kUnclaimed) {}
+        owner_(edge_map_.edgels.size(), kUnclaimed),
+        depth_(edge_map_.edgels.size(), 0) {}
 
-  // Call it for all hits of a link before it claims any.
-  bool IsOwn(int link, EdgelId edgel) const {
-    const Edgel& at = edge_map_.edgels[edgel];
-    bool own = true;
+  // Tells whose an edgel is. Call it for all hits of a link before it claims any.
+  void Judge(int link, float depth, SampleHit* hit) const {
+    const Edgel& at = edge_map_.edgels[hit->edgel];
+    hit->own = true;
     edgels_.ForEachWithin(at.position_px, kSameEdgePx, [&](EdgelId near) {
       const bool is_same = std::abs(std::cos(edge_map_.edgels[near].tangent_rad - at.tangent_rad)) >
                            kSameDirectionCosine;
-      if (owner_[near] != kUnclaimed && owner_[near] != link && is_same) own = false;
+      if (owner_[near] == kUnclaimed || owner_[near] == link || !is_same) return;
+      hit->own = false;
+      hit->elsewhere |= std::max(depth, depth_[near]) > kOtherDepth * std::min(depth, depth_[near]);
     });
-    return own;
   }
 
-  void Claim(int link, EdgelId edgel) {
-    if (owner_[edgel] == kUnclaimed) owner_[edgel] = link;
+  void Claim(int link, float depth, EdgelId edgel) {
+    if (owner_[edgel] != kUnclaimed) return;
+    owner_[edgel] = link;
+    depth_[edgel] = depth;
   }
 
  private:
   const EdgeMap& edge_map_;
   const EdgelIndex& edgels_;
   std::vector<int> owner_;
+  std::vector<float> depth_;  // of the owner
 };
 
 }  // namespace
@@ -60,11 +67,16 @@ void FindClaims(const TopologyInput& input, const RunContext& context,
     const auto view = static_cast<ViewId>(v);
     Claims claims(input, view);
     for (const int l : order) {
-      auto& sights = (*links)[l].sights;
+      ImageEvidence& evidence = (*links)[l];
+      auto& sights = evidence.sights;
       const auto sight = std::ranges::lower_bound(sights, view, {}, &LinkSight::view);
       if (sight == sights.end() || sight->view != view) continue;
-      for (SampleHit& hit : sight->hits) hit.own = claims.IsOwn(l, hit.edgel);
-      for (const SampleHit& hit : sight->hits) claims.Claim(l, hit.edgel);
+      const auto depth_of = [&](const SampleHit& hit) {
+        const Eigen::Vector3d& place = evidence.samples[hit.sample].position;
+        return static_cast<float>((input.views[v].cam_from_world * place).z());
+      };
+      for (SampleHit& hit : sight->hits) claims.Judge(l, depth_of(hit), &hit);
+      for (const SampleHit& hit : sight->hits) claims.Claim(l, depth_of(hit), hit.edgel);
     }
   });
 }

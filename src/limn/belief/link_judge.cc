@@ -38,6 +38,10 @@ constexpr double kUsualSigmaPx = 0.65;
 constexpr double kMinSigmaPx = 0.05;
 constexpr double kMaxSigmaPx = 1e3;
 
+// A link is at another depth than those that explain it if more than this share of its edgels are
+// theirs.
+constexpr double kMostElsewhere = 0.5;
+
 // A link stands still if more than this share of its edgels do.
 constexpr double kMaxStillShare = 0.5;
 
@@ -98,7 +102,9 @@ class Judge {
       return LinkDoubt::kChance;
     }
     if (IsContradicted(l)) return LinkDoubt::kSeenThrough;
-    if (num_free > 0 && evidence.OwnShare() < options_.min_own_share) {
+    // Joined ends are no excuse at another depth: fences are whole networks of such links.
+    if (evidence.OwnShare() < options_.min_own_share &&
+        (num_free > 0 || evidence.ElsewhereShare() > kMostElsewhere)) {
       return LinkDoubt::kExplained;
     }
     return LinkDoubt::kNone;

@@ -12,6 +12,7 @@
 #include "limn/sketch/view_neighbors.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -55,6 +56,22 @@ std::vector<double> SampledDepths(double scale, const std::optional<DepthSpan>& 
     depths.push_back(depth *= ratio);
   }
   return depths;
+}
+
+// The same number of depths from this much nearer to this much farther.
+constexpr double kAroundMeeting = 1.25;
+
+std::vector<double> DepthsAround(const std::optional<double>& depth) {
+  std::vector<double> depths;
+  if (!depth) return depths;
+  for (int k = 0; k < kNumDepths; ++k) {
+    depths.push_back(*depth * std::pow(kAroundMeeting, 2.0 * k / (kNumDepths - 1) - 1));
+  }
+  return depths;
+}
+
+Eigen::Vector3d AxisInWorld(const View& view) {
+  return view.cam_from_world.rotation.inverse() * Eigen::Vector3d::UnitZ();
 }
 
 // 0 outside [low, high], 1 on the plateau, linear flanks.
@@ -160,8 +177,16 @@ class PlanBuilder {
   // `sketched` are the views that count as primary for its share; null: all may be.
   Choice Build(ViewId primary, const std::optional<DepthSpan>& point_depths,
                const std::vector<uint8_t>* sketched = nullptr) const {
-    const SampledViewField field = Sample(primary, point_depths);
-    const std::vector<int> counts = CountViews(field);
+    const std::vector<ViewId> neighbors = finder_.Find(primary, point_depths);
+    SampledViewField field =
+        Sample(primary, neighbors, SampledDepths(Scale(primary, neighbors), point_depths));
+    std::vector<int> counts = CountViews(field);
+    const auto is_seen = [&](int count) { return count >= num_needed_; };
+    if (std::ranges::none_of(counts, is_seen)) {
+      // Long lenses see the same between the depths sampled.
+      field = Sample(primary, neighbors, DepthsAround(DepthWhereAxesMeet(primary, neighbors)));
+      counts = CountViews(field);
+    }
     ViewPlan plan;
     std::vector<double> weights(counts.size(), 0);
     for (size_t i = 0; i < counts.size(); ++i) {
@@ -181,10 +206,11 @@ class PlanBuilder {
   }
 
  private:
-  SampledViewField Sample(ViewId primary, const std::optional<DepthSpan>& point_depths) const {
+  SampledViewField Sample(ViewId primary, std::vector<ViewId> neighbors,
+                          std::vector<double> depths) const {
     SampledViewField field;
-    field.neighbors = finder_.Find(primary, point_depths);
-    field.depths = SampledDepths(Scale(primary, field.neighbors), point_depths);
+    field.neighbors = std::move(neighbors);
+    field.depths = std::move(depths);
     field.places = PlacesInFront(views_[primary], field.depths);
     for (const ViewId v : field.neighbors) {
       for (const Eigen::Vector3d& place : field.places) {
@@ -194,6 +220,25 @@ class PlanBuilder {
       }
     }
     return field;
+  }
+
+  // Where the view's axis is nearest to those of its neighbors, median; nothing if none comes near
+  // in front of both.
+  std::optional<double> DepthWhereAxesMeet(ViewId primary,
+                                           const std::vector<ViewId>& neighbors) const {
+    std::vector<double> depths;
+    const Eigen::Vector3d axis = AxisInWorld(views_[primary]);
+    for (const ViewId v : neighbors) {
+      const Eigen::Vector3d other = AxisInWorld(views_[v]);
+      const Eigen::Vector3d normal = axis.cross(other);
+      if (!(normal.norm() > 1e-6)) continue;  // parallel
+      const Eigen::Vector3d between = centers_[v] - centers_[primary];
+      const double depth = between.cross(other).dot(normal) / normal.squaredNorm();
+      const double of_other = between.cross(axis).dot(normal) / normal.squaredNorm();
+      if (depth > 0 && of_other > 0) depths.push_back(depth);
+    }
+    if (depths.empty()) return std::nullopt;
+    return Median(std::move(depths));
   }
 
   // Of the camera and its neighbors; of all cameras where those tell nothing.

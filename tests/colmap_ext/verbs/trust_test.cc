@@ -127,5 +127,34 @@ TEST(SayTrust, WhatStandsStillComesWithTheRemedy) {
                                    HasSubstr("--mask_path"), HasSubstr("drawn only where")));
 }
 
+TEST(SayTrust, ImagesThatDoNotFitTheOthersAreNamed) {
+  Trust trust = TrustIn(0.87, 0.3, 0);
+  trust.num_images = 12;
+  trust.apart = {"a.jpg", "b.jpg"};
+  trust.shared_if_apart = 0.4;
+  EXPECT_EQ(VerdictOf(trust, false), Verdict::kDoubtful);
+  EXPECT_THAT(SaidOf(trust), AllOf(HasSubstr("WARNING: the cameras of 2 of 12 images do not fit "
+                                             "those of the others: a.jpg, b.jpg. "),
+                                   HasSubstr("share 40 %"), HasSubstr("Verdict: doubtful")));
+}
+
+TEST(SayTrust, WhatRepeatsInStepWithTheCamerasComesWithTheRemedy) {
+  Trust trust = TrustIn(0.87, 0.3, 0);
+  trust.at_other_depths = 0.03;
+  EXPECT_THAT(SaidOf(trust), Not(HasSubstr("WARNING")));
+  trust.at_other_depths = 0.06;
+  EXPECT_THAT(SaidOf(trust), AllOf(HasSubstr("WARNING: 6 % of the edges that are drawn"),
+                                   HasSubstr("from other distances")));
+}
+
+TEST(SayTrust, MuchDoubtIsAWarning) {
+  Trust trust = TrustIn(0.6, 0.3, 0);
+  trust.tentative = 0.2;
+  EXPECT_THAT(SaidOf(trust),
+              AllOf(HasSubstr("20 % of the length found is doubtful"), Not(HasSubstr("WARNING"))));
+  trust.tentative = 0.53;
+  EXPECT_THAT(SaidOf(trust), HasSubstr("WARNING: 53 % of the length found is doubtful"));
+}
+
 }  // namespace
 }  // namespace limn::colmap_ext

@@ -52,6 +52,21 @@ void ExpectSoundSelection(const std::vector<ViewPlan>& plans, const ViewSelectio
   }
 }
 
+// The fields of view have only depths from 59 to 61 in common.
+TEST(ViewSelectionTest, LongLensesAreMatchedWhereTheirAxesMeet) {
+  std::vector<View> views;
+  for (int i = 0; i < 12; ++i) views.push_back(testing::RingView(6.0 * i, 60, 10));
+  for (View& view : views) {
+    view.camera.fx *= 20;
+    view.camera.fy *= 20;
+  }
+  for (const ViewPlan& plan : SelectViews(views, kNoHints, {}, {})) {
+    EXPECT_LT(plan.min_depth, 60.5);
+    EXPECT_GT(plan.max_depth, 61.5);
+    EXPECT_GE(plan.second_views.size(), 3u);
+  }
+}
+
 TEST(ViewSelectionTest, TurntableMatchesNeighborsAndCoversTheScene) {
   const std::vector<View> views = Turntable(36);
   const ViewSelectionOptions options;

@@ -1,0 +1,100 @@
+#!/usr/bin/python3
+"""Does a run warn where cameras are wrong, and only there? Draws right and wrong scenes and counts the warnings.
+
+    false_confidence.py --limn LIMN --output_path FOLDER [--data_path DATA] [--only PATTERN] [--seed 1]
+
+Scenes come from the sample scene, from the data sets that DATA has (folders as datasets/RESULTS.md names them), and from
+pictures of flat and repetitive things that this script renders. A run warns if it prints a WARNING or the verdict "nonsense".
+FOLDER/<scene>/ keeps the workspace, the log and the drawing; FOLDER/false_confidence.md has the table.
+"""
+
+import argparse
+import fnmatch
+import re
+import shutil
+import subprocess
+import time
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from wrong_scenes import scenes
+
+ROOT = Path(__file__).resolve().parents[2]
+WARNING = re.compile(r"^WARNING: (.*)|^Verdict: (nonsense.*)", re.M)
+
+
+def write_workspace(scene, folder):
+    """A workspace without points: what is wrong must be found in the curves."""
+    (folder / "images").mkdir(parents=True)
+    (folder / "sparse").mkdir()
+    cameras, images = [], []
+    for i, view in enumerate(scene.views, 1):
+        height, width = view.picture.shape[:2]
+        name = f"view_{i:02}.png"
+        cv2.imwrite(str(folder / "images" / name), view.picture, [cv2.IMWRITE_PNG_COMPRESSION, 1])
+        cameras.append(f"{i} {view.camera_model} {width} {height} " + " ".join(f"{p:.17g}" for p in view.parameters))
+        pose = [*quaternion(view.rotation), *(-view.rotation @ view.center)]
+        images.append(f"{i} " + " ".join(f"{p:.17g}" for p in pose) + f" {i} {name}\n")
+    (folder / "sparse/cameras.txt").write_text("\n".join(cameras) + "\n")
+    (folder / "sparse/images.txt").write_text("\n".join(images) + "\n")
+    (folder / "sparse/points3D.txt").write_text("")
+
+
+def quaternion(rotation):
+    """w, x, y, z."""
+    vector = cv2.Rodrigues(rotation)[0].ravel()
+    angle = np.linalg.norm(vector)
+    axis = vector / angle if angle > 0 else vector
+    return [np.cos(angle / 2), *(np.sin(angle / 2) * axis)]
+
+
+def draw(limn, scene, folder, options):
+    """The log of a run; made once."""
+    log = folder / "log"
+    if not log.exists():
+        shutil.rmtree(folder, ignore_errors=True)
+        write_workspace(scene, folder)
+        begin = time.time()
+        run = subprocess.run([limn, "automatic_drawer", "--workspace_path", folder, "--page", "0",
+                              "--max_image_size", str(scene.max_image_size), *options], capture_output=True, text=True, timeout=600)
+        text = f"{run.stdout}{run.stderr}exit code {run.returncode}, {time.time() - begin:.1f} s\n"
+        log.write_text(text)
+    return log.read_text()
+
+
+def warnings_in(log):
+    found = [" ".join(filter(None, match)) for match in WARNING.findall(log)]
+    if "exit code 0" not in log:
+        found.append("ended: " + log.strip().splitlines()[-2] if log.count("\n") > 1 else log)
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--limn", required=True)
+    parser.add_argument("--output_path", required=True, type=Path)
+    parser.add_argument("--data_path", type=Path, default=ROOT / "../shared/data")
+    parser.add_argument("--only", nargs="*", default=["*"])
+    parser.add_argument("--seed", type=int, default=1)
+    arguments, options = parser.parse_known_args()
+    counts = {True: [0, 0], False: [0, 0]}
+    rows = ["| scene | cameras | warnings |", "|---|---|---|"]
+    for scene in scenes(ROOT / "datasets/sample", arguments.data_path, arguments.seed):
+        if not any(fnmatch.fnmatch(scene.name, pattern) for pattern in arguments.only):
+            continue
+        found = warnings_in(draw(arguments.limn, scene, arguments.output_path / scene.name, options))
+        counts[scene.is_right][0] += bool(found)
+        counts[scene.is_right][1] += 1
+        row = f"| {scene.name} | {'right' if scene.is_right else 'wrong'} | {'; '.join(text[:100] for text in found) or '-'} |"
+        rows.append(row)
+        print(row, flush=True)
+    for is_right, (warned, total) in counts.items():
+        rows.append(f"\n{warned} of {total} {'right' if is_right else 'wrong'} scenes are warned about.")
+        print(rows[-1].strip())
+    (arguments.output_path / "false_confidence.md").write_text("\n".join(rows) + "\n")
+
+
+if __name__ == "__main__":
+    main()
