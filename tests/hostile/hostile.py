@@ -192,7 +192,7 @@ def run_case(case, program, folder):
 
 def is_odd(character):
     """Whether a terminal may be led astray by it: controls, formats (U+202E), ends of lines (U+2028)."""
-    return character not in '\n\t' and unicodedata.category(character) in ('Cc', 'Cf', 'Zl', 'Zp', 'Cs', 'Co')
+    return character not in '\n\t' and unicodedata.category(character) in ('Cc', 'Cf', 'Zl', 'Zp', 'Cs')
 
 
 def check_process(case, outcome):
