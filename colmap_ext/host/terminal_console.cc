@@ -99,7 +99,7 @@ bool TerminalConsole::Print(const std::string& text) {
   return is_printed;
 }
 
-void TerminalConsole::PrintLine(const std::string& line) { Print(Printable(line) + "\n"); }
+void TerminalConsole::PrintLine(const std::string& line) { Print(PrintableLine(line) + "\n"); }
 
 void TerminalConsole::ClearProgressLine() {
   if (has_progress_line_) Print(kClearLine);
@@ -115,7 +115,7 @@ void TerminalConsole::ShowTable(const std::string& lines) {
   ClearProgressLine();
   std::string table;
   std::istringstream in(lines);
-  for (std::string line; std::getline(in, line);) table += Printable(line) + "\n";
+  for (std::string line; std::getline(in, line);) table += PrintableLine(line) + "\n";
   if (Print(table)) return;
   if (errno == EPIPE) throw Cancelled();
   throw IoError("standard output", "the table could not be written");

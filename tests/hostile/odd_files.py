@@ -75,7 +75,7 @@ def choices():
         yield 'side/curves.' + ending, ['drawing_exporter', '--input_path', '{dir}/side/curves.' + ending, '--output_path',
                                         '{dir}/out/x.obj'], False
         yield 'side/curves.' + ending, ['drawing_evaluator', '--input_path', '{dir}/out/drawing.json', '--truth_path',
-                                        '{dir}/side/curves.' + ending, '--output_csv', '{dir}/out/x.csv'], True
+                                        '{dir}/side/curves.' + ending, '--taus', '0.01,0.1', '--output_csv', '{dir}/out/x.csv'], True
     for ending, option in (('ply', '--mesh_path'), ('obj', '--mesh_path'), ('ply', '--cloud_path')):
         yield 'side/truth.' + ending, ['truth_extractor', '--workspace_path', '{dir}/ws', option, '{dir}/side/truth.' + ending,
                                        '--output_path', '{dir}/out/truth.ply'], False
@@ -95,7 +95,7 @@ def cases(seed, count):
 
         # The folder of the file may be what is named.
         yield hostile.Case(f'{kind} at {file}: {command[0]}', prepare, [command], drawn=drawn,
-                           names=[os.path.basename(file), os.path.dirname(file)])
+                           names=[os.path.basename(file), os.path.dirname(file), '/ws: no dense results'])
 
 
 def check(case, outcome):

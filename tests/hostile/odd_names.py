@@ -45,7 +45,8 @@ def rename_image(folder, name, on_disk):
 def image_case(name, on_disk):
     def prepare(folder, _):
         rename_image(folder, name, on_disk)
-    return hostile.Case(f'image {name!r}{"" if on_disk else ", missing"}', prepare, [hostile.drawer()], names=[PLAIN],
+    return hostile.Case(f'image {name!r}{"" if on_disk else ", missing"}', prepare, [hostile.drawer()],
+                        names=[PLAIN, 'images.bin'],
                         codes=(0, 1) if on_disk else (1,))
 
 
@@ -117,7 +118,7 @@ def cases(seed, count):
             yield missing_case(name, chooser.choice(['--mask_path', '--image_path', '--input_path', '--project_path',
                                                      '--edges_path', '--image_list_path']))
         elif kind == 'value':
-            yield value_case(name, chooser.choice(['--quality', '--mode', '--num_threads', '--box', '--account', '--shard']))
+            yield value_case(name, chooser.choice(['--quality', '--mode', '--box', '--account', '--shard']))
         elif kind == 'command':
             yield command_case(name)
         else:

@@ -35,12 +35,16 @@ std::vector<std::string> PartsOf(const OutputPath& folder) {
   return parts;
 }
 
+[[noreturn]] void RefuseFile(const std::string& path) {
+  throw IoError(path, "is not a folder: choose another --output_path");
+}
+
 // The name in the folder could not be opened, for the reason errno.
 [[noreturn]] void RefuseWay(const WritableFolder& folder, const std::string& name, int reason) {
   const std::string path = Join(folder.path(), name);
   const auto status = folder.StatusOf(name);
   if (status && S_ISLNK(status->st_mode)) RefuseLink(path);
-  if (status && !S_ISDIR(status->st_mode)) throw IoError(path, "is not a folder");
+  if (status && !S_ISDIR(status->st_mode)) RefuseFile(path);
   throw IoError(path, std::string("cannot be opened: ") + std::strerror(reason));
 }
 
@@ -48,7 +52,7 @@ std::vector<std::string> PartsOf(const OutputPath& folder) {
 FileDescriptor OpenNamed(const fs::path& named) {
   FileDescriptor folder(open(named.c_str(), kFolderFlags));
   if (folder.IsOpen() || errno == ENOENT) return folder;
-  if (errno == ENOTDIR) throw IoError(named.string(), "is not a folder");
+  if (errno == ENOTDIR) RefuseFile(named.string());
   throw IoError(named.string(), std::string("cannot be opened: ") + std::strerror(errno));
 }
 
@@ -59,7 +63,7 @@ fs::path NearestNamed(const fs::path& named) {
   while (!fs::exists(fs::symlink_status(folder, ignored)) && folder.has_relative_path()) {
     folder = folder.parent_path();
   }
-  if (!fs::is_directory(folder, ignored)) throw IoError(folder.string(), "is not a folder");
+  if (!fs::is_directory(folder, ignored)) RefuseFile(folder.string());
   return folder;
 }
 
@@ -85,7 +89,7 @@ void RefuseLink(const std::string& link) {
   std::error_code ignored;
   throw IoError(link, "is a link to " + fs::read_symlink(link, ignored).string() +
                           ", and nothing is written through links in an output folder: remove it, "
-                          "or choose another output (--output_path)");
+                          "or choose another --output_path");
 }
 
 WritableFolder WritableFolder::Descend(const OutputPath& folder,

@@ -72,6 +72,15 @@ std::string Printable(std::string_view text) {
   return printable;
 }
 
+std::string PrintableLine(std::string_view text) {
+  constexpr size_t kMaxBytes = 10'000;  // two paths, and more
+  constexpr size_t kEndBytes = kMaxBytes / 2;
+  if (text.size() <= kMaxBytes) return Printable(text);
+  const auto left_out = static_cast<int64_t>(text.size() - 2 * kEndBytes);
+  return Printable(text.substr(0, kEndBytes)) + " [" + WithCommas(left_out) + " bytes] " +
+         Printable(text.substr(text.size() - kEndBytes));
+}
+
 std::string WithCommas(int64_t value) {
   const std::string digits = std::to_string(value);
   std::string text;

@@ -11,6 +11,9 @@ namespace limn {
 // are escaped, as "\x1b" and "\u202e".
 std::string Printable(std::string_view text);
 
+// The same, without the middle of a text of more than 10,000 bytes.
+std::string PrintableLine(std::string_view text);
+
 // 1234567 -> "1,234,567".
 std::string WithCommas(int64_t value);
 

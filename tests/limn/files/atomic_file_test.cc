@@ -141,8 +141,8 @@ TEST(WriteFileAtomically, ReplacesNoLink) {
 
 TEST(WriteFileAtomically, FollowsLinksOnlyToTheFolderThatWasNamed) {
   const TemporaryFolder folder;
-  folder.Write("pictures/mine", "mine");
-  folder.Write("project/curves/file", "ours");
+  WriteFileAtomically(folder.Path("pictures/mine"), "mine");
+  WriteFileAtomically(folder.Path("project/curves/file"), "ours");
   std::filesystem::create_directory_symlink("project", folder.Path("named"));
   std::filesystem::create_directory_symlink("../../pictures", folder.Path("project/curves/link"));
   const OutputPath curves(folder.Path("named"), "curves");
@@ -162,8 +162,8 @@ TEST(WriteFileAtomically, FollowsLinksOnlyToTheFolderThatWasNamed) {
 // A folder is exchanged for a link and back while files are written into it.
 TEST(WriteFileAtomically, NoMomentLeadsItThroughALink) {
   const TemporaryFolder folder;
-  folder.Write("other/file", "mine");
-  folder.Write("out/inner/file", "ours");
+  WriteFileAtomically(folder.Path("other/file"), "mine");
+  WriteFileAtomically(folder.Path("out/inner/file"), "ours");
   const auto inner = folder.Path("out/inner"), aside = folder.Path("out/aside");
   std::atomic<bool> is_over = false;
   std::thread exchange([&] {
@@ -194,7 +194,7 @@ TEST(WriteFileAtomically, NoMomentLeadsItThroughALink) {
 
 TEST(CheckHoldsNoLinks, FindsThemAtAnyDepth) {
   const TemporaryFolder folder;
-  folder.Write("out/curves/cache/sketch/a.bin", "");
+  WriteFileAtomically(folder.Path("out/curves/cache/sketch/a.bin"), "");
   std::filesystem::create_symlink("/nowhere", folder.Path("out/curves/0123.limn-tmp"));
   const OutputPath curves(folder.Path("out"), "curves");
   CheckHoldsNoLinks(curves);

@@ -28,6 +28,15 @@ TEST(Printable, KeepsOtherText) {
   EXPECT_EQ(Printable(text), text);
 }
 
+TEST(PrintableLine, LeavesOutTheMiddleOfALongText) {
+  EXPECT_EQ(PrintableLine("a\n"), "a\\x0a");
+  EXPECT_EQ(PrintableLine(std::string(10'000, 'x')).size(), 10'000u);
+  const std::string cut = PrintableLine("first" + std::string(10'000'000, 'x') + "last");
+  EXPECT_TRUE(cut.starts_with("firstx"));
+  EXPECT_TRUE(cut.ends_with("xlast"));
+  EXPECT_NE(cut.find("x [9,990,009 bytes] x"), std::string::npos);
+}
+
 TEST(WithCommas, GroupsThousands) {
   EXPECT_EQ(WithCommas(0), "0");
   EXPECT_EQ(WithCommas(-999), "-999");
