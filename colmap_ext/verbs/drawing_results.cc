@@ -161,6 +161,7 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
 }
 
 void CheckDrawingFiles(const Project& project, const RunOptions& options) {
+  CheckTakesFile(project.DrawingPath("drawing.json"));
   for (const char* name : {"drawing.ply", "drawing.obj", "drawing.html"}) {
     CheckResultFile(project.DrawingPath(name), options.overwrite);
   }

@@ -48,10 +48,11 @@ std::string ThisProcess() {
   return std::string(kHolderBegins) + std::to_string(getpid()) + " on " + host;
 }
 
+// Empty while another process begins to write it.
 std::string ReadHolder(int file) {
   char text[512];
   const ssize_t size = pread(file, text, sizeof(text), 0);
-  return size > 0 ? std::string(text, static_cast<size_t>(size)) : "a process that is not known";
+  return size > 0 ? std::string(text, static_cast<size_t>(size)) : "";
 }
 
 // Only what is said to others; the lock itself does not depend on it.
@@ -70,7 +71,8 @@ struct LockFile {
 bool IsLockFile(int file) {
   struct stat opened;
   if (fstat(file, &opened) != 0 || !S_ISREG(opened.st_mode) || opened.st_nlink > 1) return false;
-  return opened.st_size == 0 || ReadHolder(file).starts_with(kHolderBegins);
+  const std::string holder = ReadHolder(file);
+  return holder.empty() || holder.starts_with(kHolderBegins);
 }
 
 // Makes or opens the file. A link is not followed: it may lead out of the workspace, to a file
@@ -138,7 +140,7 @@ bool OutputLock::TryLock(LockMode mode) {
   file_ = -1;
   if (locked) return false;
   if (reason == EWOULDBLOCK) {
-    throw IoError(path(), "in use by " + holder +
+    throw IoError(path(), "in use by " + (holder.empty() ? "a process that is not known" : holder) +
                                       ", which works on the same results: wait for it, or choose "
                                       "another --output_path");
   }

@@ -33,10 +33,11 @@ def wait(process, seconds=40):
         return None
 
 
-def run_with_signal(number, delay):
+def run_with_signal(number, delay, is_ignored):
     def run(program, folder, command):
         with open(folder.parent / (folder.name + '.log'), 'w+b') as log:
-            process = subprocess.Popen(command, stdout=log, stderr=log, stdin=subprocess.DEVNULL, start_new_session=True)
+            process = subprocess.Popen(command, stdout=log, stderr=log, stdin=subprocess.DEVNULL, start_new_session=True,
+                                       preexec_fn=(lambda: signal.signal(number, signal.SIG_IGN)) if is_ignored else None)
             while process.poll() is None and os.fstat(log.fileno()).st_size == 0:  # it is still being loaded
                 time.sleep(0.005)
             time.sleep(delay)
@@ -86,14 +87,17 @@ def cases(seed, count):
     for index in range(count):
         chooser = hostile.chooser_of('ends_early', seed, -index - 1)
         kind = chooser.choice(['drawer'] * 6 + ['evaluator', 'exporter', 'help', 'all options'])
-        command = command_of(kind)
+        command, codes = command_of(kind), FINISHED_OR_STOPPED
         if kind == 'drawer' and chooser.random() < 0.5:
             name, delay = chooser.choice(list(SIGNALS)), chooser.uniform(0, 0.5)
-            told, run = f'{name} after {delay:.2f} s', run_with_signal(SIGNALS[name], delay)
+            is_ignored = name == 'hangup' and chooser.random() < 0.3  # as by nohup
+            codes = (0,) if is_ignored else FINISHED_OR_STOPPED
+            told = f'{name}{" that is ignored" if is_ignored else ""} after {delay:.2f} s'
+            run = run_with_signal(SIGNALS[name], delay, is_ignored)
         else:
             reader, num_lines = chooser.choice(READERS), chooser.randrange(30)
             told, run = f'read by {reader}', run_with_reader(reader, num_lines)
-        yield hostile.Case(f'{kind}, {told}', lambda folder, _: None, [], codes=(), run=again(run, command),
+        yield hostile.Case(f'{kind}, {told}', lambda folder, _: None, [], codes=codes, run=again(run, command),
                            drawn=kind in ('evaluator', 'exporter'), seconds=60)
 
 
@@ -101,7 +105,7 @@ def check(case, outcome):
     broken = [rule for rule in hostile.check_files(case, outcome) if not rule.startswith('failed')]
     if outcome.code is None:
         return broken + ['hangs']
-    if outcome.code not in FINISHED_OR_STOPPED:
+    if outcome.code not in case.codes:
         broken.append(f'exit code {outcome.code}')
     lines = outcome.errors.splitlines()
     broken += [line for line in lines if line.startswith(('left behind', 'the second run'))]

@@ -35,6 +35,8 @@ import scene
 RAW_WORDS = ['exception', 'std::', 'bad_alloc', 'basic_string', 'vector::', 'terminate', 'Assertion', 'CHECK', 'Eigen',
              'Corrupt JPEG', 'Premature end', 'libpng', 'TIFFRead', 'TIFFFetch', 'TIFFOpen', 'OpenCV(', 'cv::', '.cc:', '.cpp:',
              'json.', 'trust_region', 'Ceres', 'runtime error:', 'Sanitizer']
+# Limits of time and memory are so many times wider for a program with sanitizers.
+SLOWNESS = 10 if 'LIMN_SANITIZED' in os.environ else 1
 # Results that a run may leave behind if it fails: what is kept for the next run.
 KEPT = ('curves/cache',)
 MAIN_RESULTS = ('drawing.json', 'drawing.ply', 'drawing.obj', 'drawing.html')
@@ -143,13 +145,13 @@ class Program:
 def run_command(command, folder, seconds, environment=None, max_mb=None, stdin=None):
     def limits():
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-        if max_mb and 'LIMN_SANITIZED' not in os.environ:  # sanitizers reserve terabytes
+        if max_mb and SLOWNESS == 1:  # sanitizers reserve terabytes
             resource.setrlimit(resource.RLIMIT_AS, ((max_mb + 3000) << 20,) * 2)
 
     with tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as errors:
         process = subprocess.Popen(command, stdout=output, stderr=errors, stdin=stdin or subprocess.DEVNULL, cwd=folder,
                                    start_new_session=True, preexec_fn=limits, env={**os.environ, **(environment or {})})
-        end, timed_out = time.monotonic() + 3 * seconds + 10, False
+        end, timed_out = time.monotonic() + 3 * SLOWNESS * seconds + 10, False
         while True:
             pid, status, usage = os.wait4(process.pid, os.WNOHANG)
             if pid:
@@ -203,9 +205,9 @@ def check_process(case, outcome):
         broken.append(f'ended by signal {-outcome.code}')
     elif case.codes and outcome.code not in case.codes:
         broken.append(f'exit code {outcome.code}, not {" or ".join(map(str, case.codes))}')
-    if outcome.seconds > case.seconds:
+    if outcome.seconds > SLOWNESS * case.seconds:
         broken.append(f'took {outcome.seconds:.1f} s of processor time')
-    if outcome.max_mb > case.max_mb:
+    if outcome.max_mb > SLOWNESS * case.max_mb:
         broken.append(f'took {outcome.max_mb} MB')
     return broken
 

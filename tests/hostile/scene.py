@@ -160,12 +160,14 @@ def make_model():
     model.images = [[view + 1, quaternion(rotation) + translation, 1, image_name(view), []]
                     for view, (rotation, translation) in enumerate(poses)]
     for number, point in enumerate(scene_points(), 1):
+        pixels = [(image, project(pose, point)) for image, pose in zip(model.images, poses)]
+        seen = [(image, x, y) for image, (x, y, _) in pixels if 0 <= x < WIDTH and 0 <= y < HEIGHT]
+        if len(seen) < 2:
+            continue
         track = []
-        for image, pose in zip(model.images, poses):
-            x, y, _ = project(pose, point)
-            if 0 <= x < WIDTH and 0 <= y < HEIGHT:
-                track.append([image[0], len(image[4])])
-                image[4].append([x, y, number])
+        for image, x, y in seen:
+            track.append([image[0], len(image[4])])
+            image[4].append([x, y, number])
         model.points.append([number, list(point), [128, 128, 128], 0.5, track])
     return model
 
