@@ -37,9 +37,9 @@ void PutLine(const Eigen::Vector3d& position, const Eigen::Vector3d& normal,
 
 }  // namespace
 
-void WritePmvsWithCurves(const OutputPath& base,
-                         const std::vector<std::filesystem::path>& files, const DenseCloud& cloud,
-                         const std::vector<CurvePoint>& points, const std::vector<View>& views) {
+void WritePmvsWithCurves(const OutputPath& base, const std::vector<std::filesystem::path>& files,
+                         const DenseCloud& cloud, const std::vector<CurvePoint>& points,
+                         const std::vector<View>& views) {
   const bool has_patches = files.front().extension() == ".patch";
   const std::vector<Patch> of_curves =
       CurvePatches(points, views, PmvsNumbers(files.front(), views));

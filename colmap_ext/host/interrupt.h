@@ -11,8 +11,8 @@ namespace limn::colmap_ext {
 // The exit code of an interrupted run, as in shells.
 constexpr int kInterruptedExitCode = 130;
 
-// Blocks the signals of InterruptWatch during its lifetime. Threads that start meanwhile, in any library,
-// inherit this and leave the signals to the InterruptWatch that the process creates later.
+// Blocks the signals of InterruptWatch during its lifetime. Threads that start meanwhile, in any
+// library, inherit this and leave the signals to the InterruptWatch that the process creates later.
 class InterruptsBlocked {
  public:
   InterruptsBlocked();

@@ -10,8 +10,8 @@ namespace limn::colmap_ext {
 
 // Prints a run on standard output: progress with the remaining time (one line that is rewritten on
 // a terminal; otherwise a plain line every 10 %, at most one in 2 seconds), and a summary after
-// every stage. Signals, and the end of who reads the output, end the run (see InterruptWatch) with a
-// line that says what is kept.
+// every stage. Signals, and the end of who reads the output, end the run (see InterruptWatch) with
+// a line that says what is kept.
 class TerminalConsole : public Console {
  public:
   // At most one terminal console may exist at a time.

@@ -44,8 +44,7 @@ void WriteFiles(std::span<const ModelFile> files, const SparseModel& model,
   }
   for (const ModelFile& file : files) {
     if (file.is_of_rigs && model.rigs.empty()) continue;
-    WriteFileAtomically(folder / file.name,
-                        [&](std::ostream& out) { file.write(model, out); });
+    WriteFileAtomically(folder / file.name, [&](std::ostream& out) { file.write(model, out); });
   }
 }
 

@@ -251,8 +251,8 @@ class KeptTime {
     return *status;
   }
   [[noreturn]] void Fail() const {
-    throw IoError(path_.string(), std::string("its time of change cannot be kept: ") +
-                                      std::strerror(errno));
+    throw IoError(path_.string(),
+                  std::string("its time of change cannot be kept: ") + std::strerror(errno));
   }
 
   const OutputPath& path_;

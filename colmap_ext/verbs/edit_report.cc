@@ -41,8 +41,7 @@ class Report {
       if (outcomes_[e].status == told.status) chosen.push_back(e);
     }
     const std::string warning = told.status == EditStatus::kApplied ? "" : "WARNING: ";
-    Add(chosen, warning, told.count,
-        [&](size_t e) { return told.name + outcomes_[e].text; });
+    Add(chosen, warning, told.count, [&](size_t e) { return told.name + outcomes_[e].text; });
   }
 
   void AddWarnings() {
@@ -74,8 +73,8 @@ class Report {
       std::vector<std::string> names;
       for (const size_t e : chosen) names.push_back(Place(e));
       lines_.push_back({chosen.front(), begin + WithCommas(std::ssize(chosen)) + " edits " +
-                                            outcome + ": " + ListNames(names) + "; the first: " +
-                                            text_of(chosen.front())});
+                                            outcome + ": " + ListNames(names) +
+                                            "; the first: " + text_of(chosen.front())});
       return;
     }
     for (const size_t e : chosen) lines_.push_back({e, begin + Place(e) + ": " + text_of(e)});

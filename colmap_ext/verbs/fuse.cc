@@ -143,7 +143,8 @@ void FuseVerb::CheckFiles(const Project& project, const RunOptions& options) con
   for (const char* name : {"drawing-fused.ply", "drawing-fused.obj"}) {
     CheckResultFile(project.DrawingPath(name), options.overwrite);
   }
-  const bool may_replace = options.overwrite || fs::exists(project.DrawingPath(kFusedDrawing).string());
+  const bool may_replace =
+      options.overwrite || fs::exists(project.DrawingPath(kFusedDrawing).string());
   std::vector<std::string> names = {"pmvs-with-curves.patch", "pmvs-with-curves.ply",
                                     "with-curves/fused-with-curves.ply",
                                     "with-curves/fused-with-curves.ply.vis"};
@@ -157,7 +158,7 @@ void FuseVerb::CheckFiles(const Project& project, const RunOptions& options) con
     if (!is_link || !std::ranges::count(kMadeAsLinks, name)) CheckTakesFile(path);
     if (may_replace || !fs::exists(path.string())) continue;
     throw IoError(path.string(), "exists, and there is no " + std::string(kFusedDrawing) +
-                            " that it belongs to: --overwrite 1 replaces it");
+                                     " that it belongs to: --overwrite 1 replaces it");
   }
   const fs::path model = project.DrawingPath("with-curves/sparse").string();
   if (fs::is_directory(fs::symlink_status(model))) {

@@ -237,7 +237,9 @@ void CheckRefinedFolder(const Project& project, const RunOptions& options) {
 std::string WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
                               Console* console) {
   if (!cameras) {
-    return ReadsRefinedFolder(project.layout()) ? NameOfRefinedCameras(RefinedFolder(project).string()) : "";
+    return ReadsRefinedFolder(project.layout())
+               ? NameOfRefinedCameras(RefinedFolder(project).string())
+               : "";
   }
   SparseModel model = project.ReadModel();
   const std::vector<View> views = Moved(cameras->views, project.origin());

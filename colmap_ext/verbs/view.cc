@@ -182,8 +182,8 @@ void WriteViewerResult(const Project& project, const std::string& workspace_path
   scene.report_json = report_json;
   const OutputPath path = project.DrawingPath(kViewerPage);
   WriteFileAtomically(path, [&](std::ostream& out) { WriteViewerPage(scene, out); });
-  console->Say("wrote " + path.string() + ": " + std::to_string(scene.graph.links.size()) + " links, " +
-               std::to_string(scene.views.size()) + " photographs, " +
+  console->Say("wrote " + path.string() + ": " + std::to_string(scene.graph.links.size()) +
+               " links, " + std::to_string(scene.views.size()) + " photographs, " +
                std::to_string(scene.cloud.size()) + " points, " +
                std::to_string((fs::file_size(path.string()) + 500000) / 1000000) + " MB");
 }

@@ -53,9 +53,9 @@ constexpr Mark kMarks[] = {
     {"# EDGE_MAP v3.0\n\n# Format :  ", " by limn\n"},
     {".CEM v2.0\n# Curve fragments by limn\n"},
     {"\x89PNG\r\n\x1a\n", kPngOfLimn},  // overlays
-    {"view,not linked,"},  // account.csv
-    {"image,moved px,"},   // cameras.csv
-    {"workspace_path="},   // project.ini
+    {"view,not linked,"},               // account.csv
+    {"image,moved px,"},                // cameras.csv
+    {"workspace_path="},                // project.ini
     {"# Files of this model as limn wrote them"},
     {"# CAMERA_ID, MODEL,"},  // refined/, where COLMAP begins with other comments
     {"# IMAGE_ID, QW,"},

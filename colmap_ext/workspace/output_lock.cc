@@ -141,13 +141,13 @@ bool OutputLock::TryLock(LockMode mode) {
   if (locked) return false;
   if (reason == EWOULDBLOCK) {
     throw IoError(path(), "in use by " + (holder.empty() ? "a process that is not known" : holder) +
-                                      ", which works on the same results: wait for it, or choose "
-                                      "another --output_path");
+                              ", which works on the same results: wait for it, or choose "
+                              "another --output_path");
   }
   // A file that was there may be that of a process that could lock it.
   if (opened.is_new) RemoveWhatWasMade();
   throw IoError(path(), std::string("cannot be locked: ") + std::strerror(reason) +
-                                    ": choose an --output_path on a file system with flock");
+                            ": choose an --output_path on a file system with flock");
 }
 
 void OutputLock::RemoveWhatWasMade() const {

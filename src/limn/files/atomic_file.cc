@@ -92,11 +92,11 @@ void CheckTakesFile(const OutputPath& path) {
 void WriteFileAtomically(const OutputPath& path, const std::function<void(std::ostream&)>& write) {
   CheckTakesFile(path);
   FileDescriptor file;
-  TemporaryPath temporary(
-      path.Folder() / TemporaryName(), [&](const WritableFolder& folder, const std::string& name) {
-        file = OpenNew(folder, name, path.Name());
-        if (!file.IsOpen()) FailToWrite(path, std::strerror(errno));
-      });
+  TemporaryPath temporary(path.Folder() / TemporaryName(),
+                          [&](const WritableFolder& folder, const std::string& name) {
+                            file = OpenNew(folder, name, path.Name());
+                            if (!file.IsOpen()) FailToWrite(path, std::strerror(errno));
+                          });
   FileBuffer buffer(std::move(file));
   std::ostream out(&buffer);
   // An exception at the first byte that cannot be written: the reason is still in errno, and the

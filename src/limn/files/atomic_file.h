@@ -22,6 +22,4 @@ void WriteFileAtomically(const OutputPath& path, std::string_view bytes);
 // output paths.
 void CheckTakesFile(const OutputPath& path);
 
-constexpr std::string_view kTemporarySuffix = ".limn-tmp";
-
 }  // namespace limn

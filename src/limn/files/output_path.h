@@ -14,8 +14,8 @@ class OutputPath {
  public:
   // The user named all of it. Only its last part must not be a link.
   template <typename Path>
-    requires std::convertible_to<const Path&, std::filesystem::path>
-  OutputPath(const Path& path) : OutputPath(Split(path)) {}  // NOLINT: as a path is
+  requires std::convertible_to<const Path&, std::filesystem::path> OutputPath(const Path& path)
+      : OutputPath(Split(path)) {}  // NOLINT: as a path is
   OutputPath(std::filesystem::path named, std::filesystem::path below);
 
   OutputPath operator/(const std::filesystem::path& name) const { return {named_, below_ / name}; }
@@ -40,5 +40,8 @@ class OutputPath {
   std::filesystem::path below_;
   std::string text_;
 };
+
+// Names of what is not complete yet end with it.
+constexpr std::string_view kTemporarySuffix = ".limn-tmp";
 
 }  // namespace limn

@@ -10,7 +10,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {

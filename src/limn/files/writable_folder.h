@@ -35,9 +35,9 @@ class WritableFolder {
   std::optional<WritableFolder> Enter(const std::string& name) const;
 
   // Return 0, or errno.
-  int Remove(const std::string& name) const;             // a file or link
+  int Remove(const std::string& name) const;  // a file or link
   int RemoveEmptyFolder(const std::string& name) const;
-  int RemoveAll(const std::string& name) const;          // with all that is in it
+  int RemoveAll(const std::string& name) const;  // with all that is in it
 
  private:
   WritableFolder(FileDescriptor descriptor, std::string path)

@@ -75,8 +75,9 @@ TEST(NewModelFolder, NothingIsLeftOfAnAbandonedOne) {
         AbandonWrites();
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         const fs::directory_iterator folders(dir.path());
-        _exit(std::any_of(begin(folders), end(folders),
-                          [](const auto& entry) { return entry.path().extension() == ".limn-tmp"; }));
+        _exit(std::any_of(begin(folders), end(folders), [](const auto& entry) {
+          return entry.path().extension() == ".limn-tmp";
+        }));
       },
       ::testing::ExitedWithCode(0), "");
 }

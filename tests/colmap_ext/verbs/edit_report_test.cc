@@ -15,11 +15,12 @@ TEST(LinesOfEdits, TellsFewOneByOne) {
   const std::vector<EditOutcome> outcomes = {{EditStatus::kNotFound, "no link runs along it"},
                                              {EditStatus::kApplied, "1 link", "it was long"},
                                              {EditStatus::kPartly, "1 of 2 links"}};
-  EXPECT_THAT(LinesOfEdits(edits, outcomes),
-              ElementsAre("edits: 3; applied 1, in part 1, not found 1, ambiguous 0, without sense 0",
-                          "WARNING: edits[0] (delete): not found: no link runs along it",
-                          "edits[1] (delete): 1 link", "WARNING: edits[1] (delete): it was long",
-                          "WARNING: edits[2] (delete): applied in part: 1 of 2 links"));
+  EXPECT_THAT(
+      LinesOfEdits(edits, outcomes),
+      ElementsAre("edits: 3; applied 1, in part 1, not found 1, ambiguous 0, without sense 0",
+                  "WARNING: edits[0] (delete): not found: no link runs along it",
+                  "edits[1] (delete): 1 link", "WARNING: edits[1] (delete): it was long",
+                  "WARNING: edits[2] (delete): applied in part: 1 of 2 links"));
 }
 
 TEST(LinesOfEdits, TellsManyOfAKindTogether) {

@@ -28,8 +28,9 @@ TEST(CheckWritable, RefusesFilesAndDeadLinksInTheWay) {
   const TempDir dir;
   const std::string file = dir.WriteFile("file", "");
   std::filesystem::create_symlink("/nowhere/at/all", dir / "link");
-  for (const OutputPath& path : {OutputPath(file), OutputPath(file + "/folder"),
-                                 OutputPath(dir / "link", ""), OutputPath(dir / "link", "curves")}) {
+  for (const OutputPath& path :
+       {OutputPath(file), OutputPath(file + "/folder"), OutputPath(dir / "link", ""),
+        OutputPath(dir / "link", "curves")}) {
     EXPECT_THAT(ErrorText<IoError>([&] { CheckWritable(path); }), HasSubstr("is not a folder"));
   }
 }
@@ -39,7 +40,9 @@ TEST(CheckWritable, FollowsLinksThatTheUserNamedAndNoOthers) {
   std::filesystem::create_directories(dir / "other/curves");
   std::filesystem::create_directory_symlink("other", dir / "link");
   CheckWritable({dir / "link", "curves"});
-  EXPECT_THAT(ErrorText<IoError>([&] { CheckWritable({dir.path(), "link/curves"}); }),
+  EXPECT_THAT(ErrorText<IoError>([&] {
+                CheckWritable({dir.path(), "link/curves"});
+              }),
               HasSubstr((dir / "link").string() + ": is a link to other"));
 }
 

@@ -128,7 +128,8 @@ TEST(WriteFileAtomically, ReplacesNoLink) {
   std::filesystem::create_symlink("nowhere", folder.Path("dangling"));
   std::filesystem::create_symlink("loop", folder.Path("loop"));
   for (const char* name : {"link", "dangling", "loop"}) {
-    EXPECT_TRUE(RefusalToWrite(folder.Path(name)).starts_with(folder.Path(name) + ": is a link to "))
+    EXPECT_TRUE(
+        RefusalToWrite(folder.Path(name)).starts_with(folder.Path(name) + ": is a link to "))
         << name;
   }
   EXPECT_EQ(TemporaryFolder::Read(mine), "mine");
@@ -149,8 +150,9 @@ TEST(WriteFileAtomically, FollowsLinksOnlyToTheFolderThatWasNamed) {
   WriteFileAtomically(curves / "new/file", "new");
   EXPECT_EQ(TemporaryFolder::Read(folder.Path("project/curves/new/file")), "new");
   for (const char* below : {"link/mine", "link/new/file", "link"}) {
-    EXPECT_TRUE(RefusalToWrite(curves / below).starts_with(
-        folder.Path("named/curves/link") + ": is a link to ../../pictures, and nothing"))
+    EXPECT_TRUE(RefusalToWrite(curves / below)
+                    .starts_with(folder.Path("named/curves/link") +
+                                 ": is a link to ../../pictures, and nothing"))
         << below;
   }
   EXPECT_NE(RefusalToWrite(curves / "../../../pictures/mine"), "");

@@ -15,7 +15,9 @@ TEST(Printable, EscapesWhatATerminalObeys) {
 
 TEST(Printable, EscapesBytesThatAreNoUtf8) {
   EXPECT_EQ(Printable("cut \xC2"), "cut \\xc2");
-  EXPECT_EQ(Printable("Fl\xE4" "che \x9B"), "Fl\\xe4che \\x9b");
+  EXPECT_EQ(Printable("Fl\xE4"
+                      "che \x9B"),
+            "Fl\\xe4che \\x9b");
   // Longer than needed, half of a surrogate, beyond Unicode.
   EXPECT_EQ(Printable("\xC0\x8A \xED\xA0\x80 \xF4\x90\x80\x80"),
             "\\xc0\\x8a \\xed\\xa0\\x80 \\xf4\\x90\\x80\\x80");

@@ -1,8 +1,7 @@
 #include "limn/util/quiet_solver.h"
 
-#include <gtest/gtest.h>
-
 #include <glog/logging.h>
+#include <gtest/gtest.h>
 
 namespace limn {
 namespace {
