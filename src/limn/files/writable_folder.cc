@@ -107,18 +107,18 @@ WritableFolder WritableFolder::Descend(const OutputPath& folder,
 }
 
 WritableFolder WritableFolder::Make(const OutputPath& folder) {
-  // Another process may remove a folder between the attempt to make it and the look at it.
-  constexpr int kMaxAttempts = 100;
-  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+  // One for each part that is missing, and more: another process may remove a folder between the
+  // attempt to make it and the look at it.
+  const size_t max_attempts = 100 + PartsOf(folder).size();
+  for (size_t attempt = 0; attempt < max_attempts; ++attempt) {
     std::vector<std::string> missing;
     WritableFolder at = Descend(folder, &missing);
     if (!at.descriptor_.IsOpen()) {
       MakeNamed(folder.named());
     } else if (missing.empty()) {
       return at;
-    } else if (mkdirat(at.descriptor(), missing.front().c_str(), 0777) == 0 || errno == EEXIST) {
-      attempt = -1;  // one further down
-    } else if (errno != ENOENT) {
+    } else if (mkdirat(at.descriptor(), missing.front().c_str(), 0777) != 0 && errno != EEXIST &&
+               errno != ENOENT) {
       throw IoError(Join(at.path_, missing.front()),
                     std::string("cannot create the folder: ") + std::strerror(errno));
     }
