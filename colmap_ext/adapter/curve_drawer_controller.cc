@@ -15,6 +15,7 @@
 #include "limn/dense/fuse_drawing.h"
 #include "limn/model/link_selection.h"
 #include "limn/util/errors.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -39,7 +40,7 @@ bool CurveDrawerOptions::Check() const {
     CheckOptions(*this);
     return true;
   } catch (const std::exception& error) {
-    LOG(ERROR) << error.what();
+    LOG(ERROR) << PrintableLine(error.what());
     return false;
   }
 }
@@ -59,7 +60,7 @@ void CurveDrawerController::Run() {
     LOG(WARNING) << "Curve drawing was stopped";
   } catch (const std::exception& error) {
     error_ = error.what();
-    LOG(ERROR) << "Curve drawing failed: " << error_;
+    LOG(ERROR) << "Curve drawing failed: " << PrintableLine(error_);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <glog/logging.h>
 
 #include "colmap_ext/adapter/curve_drawer_controller.h"
+#include "limn/files/writable_folder.h"
 
 namespace {
 
@@ -33,8 +34,10 @@ bool Draw(const std::string& model, const std::string& images, const std::string
   controller.Run();
   if (!controller.Drawing()) return false;
 
-  const std::filesystem::path folder = std::filesystem::path(output) / "sparse-with-curves";
-  std::filesystem::create_directories(folder);
+  // COLMAP itself would follow links.
+  const limn::OutputPath folder(output, "sparse-with-curves");
+  limn::WritableFolder::Make(folder);
+  limn::CheckHoldsNoLinks(folder);
   reconstruction->Write(folder.string());
   return true;
 }

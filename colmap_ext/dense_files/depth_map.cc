@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "limn/files/atomic_file.h"
 #include "limn/files/whole_file.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
@@ -67,11 +68,8 @@ void WriteFloatMap(const FloatMap& map, std::ostream& out) {
             static_cast<std::streamsize>(map.data.size() * sizeof(float)));
 }
 
-void WriteFloatMap(const FloatMap& map, const std::filesystem::path& path) {
-  std::ofstream out(path, std::ios::binary);
-  WriteFloatMap(map, out);
-  out.close();
-  if (!out) throw IoError(path.string(), "cannot be written");
+void WriteFloatMap(const FloatMap& map, const OutputPath& path) {
+  WriteFileAtomically(path, [&](std::ostream& out) { WriteFloatMap(map, out); });
 }
 
 FloatMap ReadDepthMap(const std::filesystem::path& path) {

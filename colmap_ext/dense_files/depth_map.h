@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "limn/files/output_path.h"
+
 namespace limn::colmap_ext {
 
 // A .bin array of COLMAP: a depth map (1 channel: depth along the optical axis, <= 0 = unknown) or
@@ -29,7 +31,7 @@ FloatMap ReadFloatMap(const std::filesystem::path& path);
 
 // Throws IoError if the file cannot be written.
 void WriteFloatMap(const FloatMap& map, std::ostream& out);
-void WriteFloatMap(const FloatMap& map, const std::filesystem::path& path);
+void WriteFloatMap(const FloatMap& map, const OutputPath& path);
 
 // Throw IoError unless the file has 1 channel, or 3 channels.
 FloatMap ReadDepthMap(const std::filesystem::path& path);

@@ -1,10 +1,15 @@
 #include "colmap_ext/dense_files/merged_cloud.h"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <system_error>
 
+#include <unistd.h>
+
 #include "limn/files/atomic_file.h"
 #include "limn/files/whole_file.h"
+#include "limn/files/writable_folder.h"
 #include "limn/formats/ply_output.h"
 #include "limn/formats/ply_points_reader.h"
 #include "limn/util/errors.h"
@@ -23,11 +28,11 @@ void PutPoint(const Eigen::Vector3d& position, const Eigen::Vector3d& normal,
   for (const uint8_t value : color) PutLittleEndian(out, value);
 }
 
-void WriteCloud(const fs::path& path, const fs::path& fused,
+void WriteCloud(const OutputPath& path, const fs::path& fused,
                 const std::vector<CloudPoint>& curve_points) {
   const PlyPointsInfo info = ReadPlyPointsInfo(fused.string());
   if (!info.has_normals) throw IoError(fused.string(), "has no normals, which meshers need");
-  WriteFileAtomically(path.string(), [&](std::ostream& out) {
+  WriteFileAtomically(path, [&](std::ostream& out) {
     out << "ply\nformat binary_little_endian 1.0\nelement vertex "
         << info.count + curve_points.size()
         << "\nproperty float x\nproperty float y\nproperty float z\n"
@@ -42,13 +47,13 @@ void WriteCloud(const fs::path& path, const fs::path& fused,
   });
 }
 
-void WriteVisibility(const fs::path& path, const fs::path& fused_visibility,
+void WriteVisibility(const OutputPath& path, const fs::path& fused_visibility,
                      const std::vector<CloudPoint>& curve_points, const std::vector<View>& views) {
   std::ifstream in = OpenFile(fused_visibility.string());
   uint64_t count = 0;
   in.read(reinterpret_cast<char*>(&count), sizeof(count));
   if (!in) throw IoError(fused_visibility.string(), "cannot be read");
-  WriteFileAtomically(path.string(), [&](std::ostream& out) {
+  WriteFileAtomically(path, [&](std::ostream& out) {
     PutLittleEndian<uint64_t>(out, count + curve_points.size());
     if (count > 0) out << in.rdbuf();
     for (const CloudPoint& point : curve_points) {
@@ -60,18 +65,39 @@ void WriteVisibility(const fs::path& path, const fs::path& fused_visibility,
   });
 }
 
+bool HasNoLinks(int reason) {
+  return reason == EPERM || reason == EOPNOTSUPP || reason == ENOSYS || reason == EINVAL;
+}
+
+// Of a file, or of the files of a folder.
+void Copy(const fs::path& from, const OutputPath& to) {
+  if (!fs::is_directory(from)) {
+    const auto copy = [&](std::ostream& out) { out << OpenFile(from.string()).rdbuf(); };
+    return fs::file_size(from) > 0 ? WriteFileAtomically(to, copy) : WriteFileAtomically(to, "");
+  }
+  for (const auto& entry : fs::directory_iterator(from)) {
+    if (entry.is_regular_file()) Copy(entry.path(), to / entry.path().filename());
+  }
+}
+
 // `link` comes to stand for `target`. A folder that is in the way is not ours and stays.
-void LinkOrCopy(const fs::path& target, const fs::path& link) {
+void LinkOrCopy(const fs::path& target, const OutputPath& link) {
   std::error_code error;
-  if (fs::equivalent(target, link, error)) return;
-  if (fs::is_directory(fs::symlink_status(link, error))) {
+  if (fs::equivalent(target, link.string(), error)) return;
+  const WritableFolder folder = WritableFolder::Make(link.Folder());
+  const auto there = folder.StatusOf(link.Name());
+  if (there && S_ISDIR(there->st_mode)) {
     throw IoError(link.string(), "is a folder, not the link that is to be made: remove it");
   }
-  fs::remove(link, error);
-  const fs::path relative = fs::relative(target, link.parent_path(), error);
-  fs::create_symlink(error ? fs::absolute(target) : relative, link, error);
-  if (error) fs::copy(target, link, fs::copy_options::recursive, error);
-  if (error) throw IoError(link.string(), "cannot be made: " + error.message());
+  folder.Remove(link.Name());
+  const fs::path relative = fs::relative(target, folder.path(), error);
+  const fs::path text = error ? fs::absolute(target) : relative;
+  if (symlinkat(text.c_str(), folder.descriptor(), link.Name().c_str()) == 0) return;
+  const int reason = errno;
+  if (!HasNoLinks(reason)) {
+    throw IoError(link.string(), std::string("cannot be made: ") + std::strerror(reason));
+  }
+  Copy(target, link);
 }
 
 }  // namespace
@@ -86,24 +112,24 @@ std::vector<CloudPoint> PointsForMeshing(const std::vector<CurvePoint>& points) 
   return result;
 }
 
-void WriteMeshingFolder(const fs::path& folder, const fs::path& fused, const fs::path& model_dir,
+void WriteMeshingFolder(const OutputPath& folder, const fs::path& fused, const fs::path& model_dir,
                         const std::vector<CloudPoint>& curve_points,
                         const std::vector<View>& views) {
-  const fs::path cloud = folder / kCloudName;
-  const fs::path visibility = folder / (std::string(kCloudName) + ".vis");
+  const OutputPath cloud = folder / kCloudName;
+  const OutputPath visibility = cloud + ".vis";
   const fs::path fused_visibility = fused.string() + ".vis";
   WriteCloud(cloud, fused, curve_points);
-  LinkOrCopy(cloud, folder / "fused.ply");
+  LinkOrCopy(cloud.string(), folder / "fused.ply");
   LinkOrCopy(model_dir, folder / "sparse");
   std::error_code ignored;
   if (!fs::exists(fused_visibility, ignored)) {
     // Those of an earlier run would be of another cloud.
-    fs::remove(visibility, ignored);
-    fs::remove(folder / "fused.ply.vis", ignored);
+    RemoveFile(visibility);
+    RemoveFile(folder / "fused.ply.vis");
     return;
   }
   WriteVisibility(visibility, fused_visibility, curve_points, views);
-  LinkOrCopy(visibility, folder / "fused.ply.vis");
+  LinkOrCopy(visibility.string(), folder / "fused.ply.vis");
 }
 
 }  // namespace limn::colmap_ext

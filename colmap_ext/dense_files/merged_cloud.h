@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "limn/dense/curve_points.h"
+#include "limn/files/output_path.h"
 #include "limn/model/view.h"
 
 namespace limn::colmap_ext {
@@ -27,7 +28,7 @@ std::vector<CloudPoint> PointsForMeshing(const std::vector<CurvePoint>& points);
 // the model (copies where the file system has no links), so that the folder is also a workspace for
 // delaunay_mesher. Existing files of these names are replaced; nothing else is touched. Throws
 // IoError.
-void WriteMeshingFolder(const std::filesystem::path& folder, const std::filesystem::path& fused,
+void WriteMeshingFolder(const OutputPath& folder, const std::filesystem::path& fused,
                         const std::filesystem::path& model_dir,
                         const std::vector<CloudPoint>& curve_points,
                         const std::vector<View>& views);

@@ -37,13 +37,13 @@ void PutLine(const Eigen::Vector3d& position, const Eigen::Vector3d& normal,
 
 }  // namespace
 
-void WritePmvsWithCurves(const std::filesystem::path& base,
-                         const std::vector<std::filesystem::path>& files, const DenseCloud& cloud,
-                         const std::vector<CurvePoint>& points, const std::vector<View>& views) {
+void WritePmvsWithCurves(const OutputPath& base, const std::vector<std::filesystem::path>& files,
+                         const DenseCloud& cloud, const std::vector<CurvePoint>& points,
+                         const std::vector<View>& views) {
   const bool has_patches = files.front().extension() == ".patch";
   const std::vector<Patch> of_curves =
       CurvePatches(points, views, PmvsNumbers(files.front(), views));
-  WriteFileAtomically(base.string() + ".patch", [&](std::ostream& out) {
+  WriteFileAtomically(base + ".patch", [&](std::ostream& out) {
     WritePatchHeader((has_patches ? cloud.num_points : 0) + of_curves.size(), out);
     const auto write = [&](const Patch& patch) { WritePatch(patch, out); };
     for (const std::filesystem::path& file : files) {
@@ -51,7 +51,7 @@ void WritePmvsWithCurves(const std::filesystem::path& base,
     }
     std::for_each(of_curves.begin(), of_curves.end(), write);
   });
-  WriteFileAtomically(base.string() + ".ply", [&](std::ostream& out) {
+  WriteFileAtomically(base + ".ply", [&](std::ostream& out) {
     out << "ply\nformat ascii 1.0\nelement vertex " << cloud.num_points + points.size()
         << "\nproperty float x\nproperty float y\nproperty float z\n"
            "property float nx\nproperty float ny\nproperty float nz\n"

@@ -5,6 +5,7 @@
 
 #include "colmap_ext/dense_files/dense_cloud.h"
 #include "limn/dense/curve_points.h"
+#include "limn/files/output_path.h"
 #include "limn/model/view.h"
 
 namespace limn::colmap_ext {
@@ -13,8 +14,8 @@ namespace limn::colmap_ext {
 // one oriented patch per sample of the curves with the images that see it (see PmvsNumbers); and
 // <base>.ply, all points of these files (opened as `cloud`) and of the curves in PMVS's PLY format.
 // Throws IoError.
-void WritePmvsWithCurves(const std::filesystem::path& base,
-                         const std::vector<std::filesystem::path>& files, const DenseCloud& cloud,
-                         const std::vector<CurvePoint>& points, const std::vector<View>& views);
+void WritePmvsWithCurves(const OutputPath& base, const std::vector<std::filesystem::path>& files,
+                         const DenseCloud& cloud, const std::vector<CurvePoint>& points,
+                         const std::vector<View>& views);
 
 }  // namespace limn::colmap_ext

@@ -15,12 +15,26 @@ namespace {
 
 constexpr timespec kGrace = {.tv_sec = 1, .tv_nsec = 0};
 
+bool IsIgnored(int signal) {
+  struct sigaction action = {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 sigset_t Signals() {
   sigset_t set;
   sigemptyset(&set);
-  sigaddset(&set, SIGINT);
-  sigaddset(&set, SIGTERM);
+  for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) sigaddset(&set, signal);
+  if (!IsIgnored(SIGHUP)) sigaddset(&set, SIGHUP);
   return set;
+}
+
+// That of a write of this thread to a closed pipe: the write has failed, and that is enough.
+void ForgetPipeSignal() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGPIPE);
+  const timespec now = {};
+  sigtimedwait(&set, nullptr, &now);
 }
 
 }  // namespace
@@ -58,6 +72,10 @@ void InterruptWatch::Watch() {
   _exit(kInterruptedExitCode);
 }
 
+void InterruptWatch::Interrupt() {
+  if (!is_sent_.exchange(true)) pthread_kill(thread_.native_handle(), SIGTERM);
+}
+
 void InterruptWatch::SayLastWords() {
   if (said_.exchange(true)) return;
   const std::string words = last_words_();
@@ -69,6 +87,7 @@ InterruptWatch::~InterruptWatch() {
   over_ = true;
   pthread_kill(thread_.native_handle(), SIGTERM);
   thread_.join();
+  ForgetPipeSignal();
   const sigset_t signals = Signals();
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }

@@ -11,8 +11,8 @@ namespace limn::colmap_ext {
 // The exit code of an interrupted run, as in shells.
 constexpr int kInterruptedExitCode = 130;
 
-// Blocks SIGINT and SIGTERM during its lifetime. Threads that start meanwhile, in any library,
-// inherit this and leave the signals to the InterruptWatch that the process creates later.
+// Blocks the signals of InterruptWatch during its lifetime. Threads that start meanwhile, in any
+// library, inherit this and leave the signals to the InterruptWatch that the process creates later.
 class InterruptsBlocked {
  public:
   InterruptsBlocked();
@@ -27,12 +27,13 @@ class InterruptsBlocked {
 // The line printed on interruption by a command that writes all of its results at the end.
 std::string WhatIsWritten();
 
-// Ends the run on SIGINT and SIGTERM. Stages are asked to stop and have a second to do so; then, or
-// at a second signal, the process exits immediately: files are written atomically, and no library
-// call (image codecs, solvers) can delay it.
+// Ends the run on SIGINT, SIGTERM and SIGHUP (unless that is ignored, as by nohup), and when nobody
+// reads its output any more. Stages are asked to stop and have a second to do so; then, or at a
+// second signal, the process exits immediately: files are written atomically, and no library call
+// (image codecs, solvers) can delay it. Meanwhile writing to a closed pipe fails with EPIPE.
 class InterruptWatch {
  public:
-  // Handles both signals, also for threads that start later. `last_words` returns the line to print
+  // Handles the signals, also for threads that start later. `last_words` returns the line to print
   // on interruption, or nothing; it is called at most once, from any thread, and no file appears
   // after it. At most one InterruptWatch may exist.
   explicit InterruptWatch(std::function<std::string()> last_words = WhatIsWritten);
@@ -40,6 +41,9 @@ class InterruptWatch {
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+  // Interrupts the run, once, as a signal does: nobody reads its output any more.
+  void Interrupt();
 
   // For RunContext.
   const std::atomic<bool>& interrupted() const { return interrupted_; }
@@ -52,6 +56,7 @@ class InterruptWatch {
   std::atomic<bool> interrupted_ = false;
   std::atomic<bool> over_ = false;
   std::atomic<bool> said_ = false;
+  std::atomic<bool> is_sent_ = false;
   int exceptions_before_;
   std::thread thread_;
 };

@@ -1,59 +1,64 @@
 #include "colmap_ext/host/output_folder.h"
 
-#include <filesystem>
-#include <system_error>
+#include <string>
 
 #include "colmap_ext/workspace/output_check.h"
 #include "limn/files/atomic_file.h"
+#include "limn/files/writable_folder.h"
 
 namespace limn::colmap_ext {
 namespace {
 
-namespace fs = std::filesystem;
+enum class Depth { kOne, kAll };
 
-void RemoveTemporaryFilesIn(const fs::path& folder) {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.path().filename().string().ends_with(kTemporarySuffix)) {
-      fs::remove(entry.path(), ignored);
-    }
+// The folders beside that of curves, which commands write.
+constexpr const char* kFolders[] = {"refined", "with-curves", "sparse-with-curves"};
+
+void RemoveTemporaryFilesIn(const WritableFolder& folder, Depth depth) {
+  for (const std::string& name : folder.Names()) {
+    if (name.ends_with(kTemporarySuffix)) folder.Remove(name);
+    const auto inner = depth == Depth::kAll ? folder.Enter(name) : std::nullopt;
+    if (inner) RemoveTemporaryFilesIn(*inner, depth);
   }
 }
 
 // Those that a killed run has left behind. Only while no other run writes here.
 void RemoveTemporaryFiles(const OutputLayout& output) {
-  std::error_code ignored;
-  for (const char* folder : {"", "refined", "with-curves", "sparse-with-curves"}) {
-    RemoveTemporaryFilesIn(output.drawing_dir / folder);
-  }
-  RemoveTemporaryFilesIn(output.curves_dir);
-  for (const auto& entry : fs::recursive_directory_iterator(output.curves_dir, ignored)) {
-    if (entry.is_directory(ignored)) RemoveTemporaryFilesIn(entry.path());
-  }
+  const auto remove_in = [](const OutputPath& folder, Depth depth) {
+    if (const auto found = WritableFolder::Find(folder)) RemoveTemporaryFilesIn(*found, depth);
+  };
+  remove_in(output.Drawing(), Depth::kOne);
+  for (const char* folder : kFolders) remove_in(output.Drawing() / folder, Depth::kOne);
+  remove_in(output.Curves(), Depth::kAll);
+}
+
+void CheckLinks(const OutputLayout& output) {
+  for (const char* folder : kFolders) WritableFolder::Find(output.Drawing() / folder);  // throws
+  CheckHoldsNoLinks(output.Curves());
 }
 
 }  // namespace
 
 OutputFolder::OutputFolder(const OutputLayout& output, const RunOptions& options, Console* console)
     : output_(output) {
-  CheckWritable(output.drawing_dir);
-  CheckWritable(output.curves_dir);
-  CheckLinkedCurves(output.curves_dir);
+  CheckWritable(output.Drawing());
+  CheckWritable(output.Curves());
+  CheckLinks(output);
   if (!options.is_locked_by_rank_zero) {
     const bool is_alone = options.shard.empty();
-    lock_.emplace(output.curves_dir, is_alone ? LockMode::kExclusive : LockMode::kShared);
+    lock_.emplace(output.Curves(), is_alone ? LockMode::kExclusive : LockMode::kShared);
     if (is_alone) RemoveTemporaryFiles(output);
   }
   cache_ = std::make_shared<ResultCache>(CurvesPath("cache"));
   console->SetCache(cache_);
 }
 
-std::string OutputFolder::DrawingPath(const std::string& name) const {
-  return (output_.drawing_dir / name).string();
+OutputPath OutputFolder::DrawingPath(const std::string& name) const {
+  return output_.Drawing() / name;
 }
 
-std::string OutputFolder::CurvesPath(const std::string& name) const {
-  return (output_.curves_dir / name).string();
+OutputPath OutputFolder::CurvesPath(const std::string& name) const {
+  return output_.Curves() / name;
 }
 
 }  // namespace limn::colmap_ext

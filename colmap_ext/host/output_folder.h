@@ -9,6 +9,7 @@
 #include "colmap_ext/workspace/layout.h"
 #include "colmap_ext/workspace/output_lock.h"
 #include "limn/cache/result_cache.h"
+#include "limn/files/output_path.h"
 
 namespace limn::colmap_ext {
 
@@ -17,7 +18,8 @@ class OutputFolder {
  public:
   // Writes only the lock file, which keeps other commands (for a shard: all except other shards)
   // out of the folder during the lifetime of this object. Removes temporary files of a killed run,
-  // unless other shards may be running. Throws IoError.
+  // unless other shards may be running. Throws IoError, also if one of the folders, or anything in
+  // the folder of curves, is a link.
   OutputFolder(const OutputLayout& output, const RunOptions& options, Console* console);
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -25,9 +27,9 @@ class OutputFolder {
   // Image curves and sketches stored for later runs.
   ResultCache* cache() const { return cache_.get(); }
   // Path of a file beside fused.ply.
-  std::string DrawingPath(const std::string& name) const;
+  OutputPath DrawingPath(const std::string& name) const;
   // Path of a file in the folder of curves.
-  std::string CurvesPath(const std::string& name) const;
+  OutputPath CurvesPath(const std::string& name) const;
 
  private:
   OutputLayout output_;

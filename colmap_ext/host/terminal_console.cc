@@ -1,7 +1,9 @@
 #include "colmap_ext/host/terminal_console.h"
 
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -15,6 +17,9 @@ constexpr double kSecondsBetweenLines = 2;
 constexpr double kSecondsBetweenRewrites = 0.1;
 // Before that the estimate of the time left is worth nothing.
 constexpr double kSecondsBeforeEstimate = 1;
+
+// Of a terminal.
+constexpr const char* kClearLine = "\r\033[K";
 
 // "sketches of 3 of 30 views"
 std::string KeptOf(const CacheUse& use) {
@@ -30,7 +35,7 @@ TerminalConsole::TerminalConsole(int num_threads, Printing printing)
       is_terminal_(isatty(STDOUT_FILENO) == 1),
       interrupts_([this]() -> std::string {
         if (!prints_) return "";
-        if (is_terminal_) std::printf("\r\033[K");
+        if (is_terminal_) std::fputs(kClearLine, stdout);
         std::fflush(stdout);
         return WhatIsKept();
       }) {
@@ -81,40 +86,44 @@ void TerminalConsole::ShowProgress(const char* stage, size_t done, size_t total)
     std::snprintf(line + length, sizeof(line) - length, ", about %.0f s left",
                   std::ceil(seconds * (1 - share) / share));
   }
-  if (is_terminal_) {
-    std::printf("\r\033[K%s", line);
-    has_progress_line_ = true;
-  } else {
-    std::printf("%s\n", line);
-  }
-  std::fflush(stdout);
+  Print(is_terminal_ ? std::string(kClearLine) + line : std::string(line) + "\n");
+  has_progress_line_ = is_terminal_;
 }
 
+bool TerminalConsole::Print(const std::string& text) {
+  if (!prints_) return true;
+  errno = 0;
+  const bool is_printed =
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!is_printed && errno == EPIPE) interrupts_.Interrupt();
+  return is_printed;
+}
+
+void TerminalConsole::PrintLine(const std::string& line) { Print(PrintableLine(line) + "\n"); }
+
 void TerminalConsole::ClearProgressLine() {
-  if (has_progress_line_) std::printf("\r\033[K");
+  if (has_progress_line_) Print(kClearLine);
   has_progress_line_ = false;
-  std::fflush(stdout);
 }
 
 void TerminalConsole::ShowLine(const std::string& line) {
   ClearProgressLine();
-  if (prints_) std::printf("%s\n", Printable(line).c_str());
-  std::fflush(stdout);
+  PrintLine(line);
 }
 
 void TerminalConsole::ShowTable(const std::string& lines) {
   ClearProgressLine();
-  if (prints_ && (std::fputs(lines.c_str(), stdout) < 0 || std::fflush(stdout) != 0)) {
-    throw IoError("standard output", "the table could not be written");
-  }
+  std::string table;
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);) table += PrintableLine(line) + "\n";
+  if (Print(table)) return;
+  if (errno == EPIPE) throw Cancelled();
+  throw IoError("standard output", "the table could not be written");
 }
 
 void TerminalConsole::ShowStage(const RunLog::Stage& stage) {
   ClearProgressLine();
-  for (const std::string& line : LinesOf(stage)) {
-    if (prints_) std::printf("%s\n", Printable(line).c_str());
-  }
-  std::fflush(stdout);
+  for (const std::string& line : LinesOf(stage)) PrintLine(line);
 }
 
 std::unique_ptr<Console> MakeTerminalConsole(int num_threads, Printing printing) {

@@ -10,8 +10,8 @@ namespace limn::colmap_ext {
 
 // Prints a run on standard output: progress with the remaining time (one line that is rewritten on
 // a terminal; otherwise a plain line every 10 %, at most one in 2 seconds), and a summary after
-// every stage. SIGINT and SIGTERM end the run (see InterruptWatch) with a line that says what is
-// kept.
+// every stage. Signals, and the end of who reads the output, end the run (see InterruptWatch) with
+// a line that says what is kept.
 class TerminalConsole : public Console {
  public:
   // At most one terminal console may exist at a time.
@@ -21,13 +21,15 @@ class TerminalConsole : public Console {
   void ShowTable(const std::string& lines) override;
 
  private:
-  // Removes control characters.
   void ShowLine(const std::string& line) override;
   void ShowStage(const RunLog::Stage& stage) override;
   // The line printed on interruption: what the run leaves behind.
   std::string WhatIsKept() const;
   void ShowProgress(const char* stage, size_t done, size_t total);
   void ClearProgressLine();
+  // Also flushes. Returns whether it could be printed.
+  bool Print(const std::string& text);
+  void PrintLine(const std::string& line);
 
   bool prints_;
   bool is_terminal_ = false;

@@ -1,9 +1,14 @@
 #include "colmap_ext/import/new_model_folder.h"
 
+#include <cerrno>
+#include <cstring>
 #include <system_error>
+
+#include <sys/stat.h>
 
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/workspace/model_folder.h"
+#include "limn/files/atomic_file.h"
 #include "limn/files/temporary_path.h"
 #include "limn/util/errors.h"
 
@@ -13,11 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 
 // Empty, whatever a killed run has left there.
-void MakeEmpty(const fs::path& folder) {
-  std::error_code error;
-  fs::remove_all(folder, error);
-  fs::create_directories(folder, error);
-  if (error) throw IoError(folder.string(), "cannot create the folder: " + error.message());
+void MakeEmpty(const WritableFolder& folder, const std::string& name) {
+  folder.RemoveAll(name);
+  if (mkdirat(folder.descriptor(), name.c_str(), 0777) == 0) return;
+  throw IoError((fs::path(folder.path()) / name).string(),
+                std::string("cannot create the folder: ") + std::strerror(errno));
 }
 
 // Without a slash at the end, which would make the temporary folder one inside.
@@ -44,16 +49,16 @@ void CheckNewModelFolder(const fs::path& folder) {
 }
 
 void WriteNewModel(const SparseModel& model, const fs::path& folder, ModelFlavor flavor,
-                   const std::function<void(const fs::path&)>& write_more) {
+                   const std::function<void(const OutputPath&)>& write_more) {
   CheckNewModelFolder(folder);
   const fs::path path = Plain(folder);
-  TemporaryPath temporary(path.string() + ".tmp", &MakeEmpty);
+  TemporaryPath temporary(OutputPath(path) + kTemporarySuffix, &MakeEmpty);
   WriteModel(model, flavor, temporary.path());
   if (write_more) write_more(temporary.path());
   // Replaces an empty folder, fails on any other.
-  if (const std::error_code error = temporary.RenameTo(path)) {
-    throw IoError(path.string(),
-                  "cannot rename " + temporary.path().string() + " to it: " + error.message());
+  if (const int reason = temporary.RenameTo(path.filename().string())) {
+    throw IoError(path.string(), "cannot rename " + temporary.path().string() +
+                                     " to it: " + std::strerror(reason));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "colmap_ext/model/model.h"
+#include "limn/files/output_path.h"
 
 namespace limn::colmap_ext {
 
@@ -11,13 +12,12 @@ namespace limn::colmap_ext {
 void CheckNewModelFolder(const std::filesystem::path& folder);
 
 // Writes the files of a model (WriteModel) into a folder that must be new or
-// empty (checked). They appear together or not at all: they are written to "<folder>.tmp", which is
-// then renamed.
-// Missing parent folders are created. `write_more` may write further files into the folder.
-// Throws IoError; then, and after AbandonWrites, only parent
-// folders are left behind.
+// empty (checked). They appear together or not at all: they are written to a folder of this name
+// with kTemporarySuffix, which is then renamed. Missing parent folders are created. `write_more`
+// may write further files into the folder. Throws IoError; then, and after AbandonWrites, only
+// parent folders are left behind.
 void WriteNewModel(const SparseModel& model, const std::filesystem::path& folder,
                    ModelFlavor flavor,
-                   const std::function<void(const std::filesystem::path&)>& write_more = {});
+                   const std::function<void(const OutputPath&)>& write_more = {});
 
 }  // namespace limn::colmap_ext

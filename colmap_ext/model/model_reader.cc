@@ -39,6 +39,12 @@ bool IsFile(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
+// What is there but no regular file is refused where it is opened.
+bool IsThere(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
 fs::path FileOf(const fs::path& folder, const char* stem, const Flavor& flavor) {
   return folder / (std::string(stem) + flavor.extension);
 }
@@ -60,7 +66,7 @@ bool IsComplete(const fs::path& folder, const Flavor& flavor) {
 // As COLMAP, which asks for all three files; then whatever has poses.
 const Flavor& FlavorOf(const fs::path& folder) {
   for (const Flavor* flavor : {&kBinary, &kText}) {
-    if (IsComplete(folder, *flavor) && IsFile(FileOf(folder, "points3D", *flavor))) {
+    if (IsComplete(folder, *flavor) && IsThere(FileOf(folder, "points3D", *flavor))) {
       return *flavor;
     }
   }
@@ -79,11 +85,11 @@ void Read(ReadFile read, const fs::path& path, ModelBuilder* builder) {
 void ReadRigsAndFrames(const fs::path& folder, const Flavor& flavor, SparseModel* model) {
   const fs::path rigs_path = FileOf(folder, "rigs", flavor);
   const fs::path frames_path = FileOf(folder, "frames", flavor);
-  if (IsFile(rigs_path) != IsFile(frames_path)) {
-    model->warnings.push_back((IsFile(rigs_path) ? frames_path : rigs_path).string() +
+  if (IsThere(rigs_path) != IsThere(frames_path)) {
+    model->warnings.push_back((IsThere(rigs_path) ? frames_path : rigs_path).string() +
                               " is missing: continuing with the poses of the images file");
   }
-  if (!IsFile(rigs_path) || !IsFile(frames_path)) return;
+  if (!IsThere(rigs_path) || !IsThere(frames_path)) return;
   std::ifstream rigs = OpenFile(rigs_path.string());
   std::ifstream frames = OpenFile(frames_path.string());
   model->rigs = flavor.rigs(rigs, rigs_path.string());
@@ -114,8 +120,11 @@ std::string MissingColmapFile(const fs::path& folder) {
   for (const Flavor* flavor : {&kText, &kBinary}) {
     const std::string cameras = FileOf("", "cameras", *flavor).string();
     const std::string images = FileOf("", "images", *flavor).string();
-    if (IsFile(folder / cameras)) return images + " is missing beside " + cameras;
-    if (IsFile(folder / images)) return cameras + " is missing beside " + images;
+    const auto fault_of = [&](const std::string& name) {
+      return name + (IsThere(folder / name) ? " is a folder, a pipe or a device" : " is missing");
+    };
+    if (IsFile(folder / cameras)) return fault_of(images) + " beside " + cameras;
+    if (IsFile(folder / images)) return fault_of(cameras) + " beside " + images;
   }
   return "";
 }
@@ -141,7 +150,7 @@ SparseModel ReadColmapModel(const fs::path& folder) {
   Read(flavor.cameras, FileOf(folder, "cameras", flavor), &builder);
   Read(flavor.images, FileOf(folder, "images", flavor), &builder);
   const fs::path points = FileOf(folder, "points3D", flavor);
-  if (IsFile(points)) {
+  if (IsThere(points)) {
     Read(flavor.points, points, &builder);
   } else {
     builder.Warn(points.string() + " is missing: continuing with the poses alone");

@@ -1,10 +1,10 @@
 #include "colmap_ext/model/model_writer.h"
 
 #include <algorithm>
-#include <system_error>
 
 #include "colmap_ext/model/image_name.h"
 #include "limn/files/atomic_file.h"
+#include "limn/files/writable_folder.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
 
@@ -38,16 +38,13 @@ std::ostream& operator<<(std::ostream& out, const Eigen::Quaterniond& q) {
 }
 
 void WriteFiles(std::span<const ModelFile> files, const SparseModel& model,
-                const std::filesystem::path& folder) {
+                const OutputPath& folder) {
   for (const ModelFile& file : files) {
-    std::error_code error;
-    if (file.is_of_rigs) std::filesystem::remove(folder / file.name, error);
-    if (error) throw IoError((folder / file.name).string(), "cannot remove: " + error.message());
+    if (file.is_of_rigs) RemoveFile(folder / file.name);
   }
   for (const ModelFile& file : files) {
     if (file.is_of_rigs && model.rigs.empty()) continue;
-    WriteFileAtomically((folder / file.name).string(),
-                        [&](std::ostream& out) { file.write(model, out); });
+    WriteFileAtomically(folder / file.name, [&](std::ostream& out) { file.write(model, out); });
   }
 }
 
@@ -153,16 +150,16 @@ void WritePointsText(const SparseModel& model, std::ostream& out) {
   }
 }
 
-void WriteModelBinary(const SparseModel& model, const std::filesystem::path& folder) {
+void WriteModelBinary(const SparseModel& model, const OutputPath& folder) {
   WriteFiles(kBinaryModelFiles, model, folder);
 }
 
-void WriteModelText(const SparseModel& model, const std::filesystem::path& folder) {
+void WriteModelText(const SparseModel& model, const OutputPath& folder) {
   CheckTextNames(model);
   WriteFiles(kTextModelFiles, model, folder);
 }
 
-void WriteModel(const SparseModel& model, ModelFlavor flavor, const std::filesystem::path& folder) {
+void WriteModel(const SparseModel& model, ModelFlavor flavor, const OutputPath& folder) {
   if (flavor == ModelFlavor::kText) return WriteModelText(model, folder);
   WriteModelBinary(model, folder);
 }

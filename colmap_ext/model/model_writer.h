@@ -1,12 +1,12 @@
 #pragma once
 
-#include <filesystem>
 #include <ostream>
 #include <span>
 
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/model/rig.h"
 #include "colmap_ext/model/rig_files.h"
+#include "limn/files/output_path.h"
 
 namespace limn::colmap_ext {
 
@@ -46,8 +46,8 @@ void CheckTextNames(const SparseModel& model);
 // Write these files, each atomically, into a folder, which is created if missing. Existing files of
 // rigs and frames are removed first: they would replace the new poses. Throw IoError; the text
 // writer also throws what CheckTextNames throws, before anything is changed.
-void WriteModelBinary(const SparseModel& model, const std::filesystem::path& folder);
-void WriteModelText(const SparseModel& model, const std::filesystem::path& folder);
-void WriteModel(const SparseModel& model, ModelFlavor flavor, const std::filesystem::path& folder);
+void WriteModelBinary(const SparseModel& model, const OutputPath& folder);
+void WriteModelText(const SparseModel& model, const OutputPath& folder);
+void WriteModel(const SparseModel& model, ModelFlavor flavor, const OutputPath& folder);
 
 }  // namespace limn::colmap_ext

@@ -402,7 +402,7 @@ void OptionParser::WriteIni(std::ostream& out) const {
   }
 }
 
-void OptionParser::WriteIni(const std::string& path) const {
+void OptionParser::WriteIni(const OutputPath& path) const {
   WriteFileAtomically(path, [&](std::ostream& out) { WriteIni(out); });
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "colmap_ext/options/command_help.h"
+#include "limn/files/output_path.h"
 #include "limn/util/option_help.h"
 
 namespace limn {
@@ -56,7 +57,7 @@ class OptionParser {
 
   // Writes every option with its current value, readable with --project_path: first those without a
   // group, then a section per group. Writes to a temporary file and renames it. Throws IoError.
-  void WriteIni(const std::string& path) const;
+  void WriteIni(const OutputPath& path) const;
   void WriteIni(std::ostream& out) const;
 
   // All options with their current values, --project_path first.

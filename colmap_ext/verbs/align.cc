@@ -1,13 +1,20 @@
 #include "colmap_ext/verbs/align.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <set>
+
+#include <fcntl.h>
+#include <sys/stat.h>
 
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/workspace/pose_priors.h"
 #include "limn/alignment/geodetic.h"
+#include "limn/files/atomic_file.h"
+#include "limn/files/writable_folder.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
@@ -224,19 +231,45 @@ std::vector<std::string> DrawingsToAlign(const fs::path& folder, Console* consol
   return paths;
 }
 
+// The time of change of a file.
+class KeptTime {
+ public:
+  explicit KeptTime(const OutputPath& path)
+      : path_(path), folder_(WritableFolder::Make(path.Folder())), status_(StatusOfFile()) {}
+
+  // Of the file that has replaced it. Throws IoError.
+  void Restore() const {
+    const timespec times[] = {{.tv_sec = 0, .tv_nsec = UTIME_OMIT}, status_.st_mtim};
+    const int folder = folder_.descriptor();
+    if (utimensat(folder, path_.Name().c_str(), times, AT_SYMLINK_NOFOLLOW) != 0) Fail();
+  }
+
+ private:
+  struct stat StatusOfFile() const {
+    const auto status = folder_.StatusOf(path_.Name());
+    if (!status) Fail();
+    return *status;
+  }
+  [[noreturn]] void Fail() const {
+    throw IoError(path_.string(),
+                  std::string("its time of change cannot be kept: ") + std::strerror(errno));
+  }
+
+  const OutputPath& path_;
+  WritableFolder folder_;
+  struct stat status_;
+};
+
 // Drawings keep their times of change, by which commands take the newest. All are read before the
 // first is written. Throws IoError.
-void StoreAlignment(const std::vector<std::string>& drawing_paths, const Alignment& alignment) {
+void StoreAlignment(const std::vector<OutputPath>& drawing_paths, const Alignment& alignment) {
   std::vector<DrawingFile> drawings;
-  for (const std::string& path : drawing_paths) drawings.push_back(ReadDrawingJson(path));
+  for (const OutputPath& path : drawing_paths) drawings.push_back(ReadDrawingJson(path.string()));
   for (size_t i = 0; i < drawings.size(); ++i) {
-    const std::string& path = drawing_paths[i];
     drawings[i].metadata.alignment = alignment;
-    std::error_code error;
-    const auto time = fs::last_write_time(path, error);
-    WriteDrawing(path, drawings[i].graph, drawings[i].metadata);
-    if (!error) fs::last_write_time(path, time, error);
-    if (error) throw IoError(path, "its time of change cannot be kept: " + error.message());
+    const KeptTime time(drawing_paths[i]);
+    WriteDrawing(drawing_paths[i], drawings[i].graph, drawings[i].metadata);
+    time.Restore();
   }
 }
 
@@ -338,11 +371,17 @@ void AlignVerb::Run(const Project& project, const RunOptions& options, Console* 
   const std::vector<std::string> paths =
       drawing_path().empty() ? DrawingsToAlign(project.layout().output.drawing_dir, console)
                              : std::vector<std::string>{drawing_path()};
+  std::vector<OutputPath> outputs;
+  for (const std::string& path : paths) {
+    const bool is_named = !drawing_path().empty();
+    outputs.push_back(is_named ? path : project.DrawingPath(fs::path(path).filename().string()));
+    CheckTakesFile(outputs.back());
+  }
   // Known lengths name the links that drawing_viewer shows.
   const DrawingInScene given = ReadDrawingInScene(project, paths.front());
   console->Say("drawing: " + paths.front());
   const DrawingInScene made = Apply(JobOf(project, options, console), given);
-  StoreAlignment(paths, *made.metadata.alignment);
+  StoreAlignment(outputs, *made.metadata.alignment);
   for (const std::string& path : paths) console->Say("Written: alignment in " + path);
   console->RepeatWarnings();
 }

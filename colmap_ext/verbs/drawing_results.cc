@@ -40,7 +40,8 @@ void WritePictures(const Project& project, const std::string& folder, const View
   std::vector<ViewId> views = IdsOf({}, project.views().size());
   if (only) {
     std::erase_if(views, [&](ViewId view) {
-      return !std::ranges::binary_search(*only, view) && std::filesystem::exists(path_of(view));
+      return !std::ranges::binary_search(*only, view) &&
+             std::filesystem::exists(path_of(view).string());
     });
   }
   ParallelFor(context, folder.c_str(), views.size(),
@@ -72,12 +73,12 @@ void SayPrimitives(const DrawingGraph& graph, Console* console) {
 }
 
 // Each must take a file, and none may be a folder of another, as that of `a` for that of `a.png/b`.
-void CheckPicturePaths(const Project& project) {
+void CheckPicturePaths(const Project& project, bool overwrite) {
   std::set<std::string> names;
-  for (const View& view : project.views()) names.insert(PicturePath("", view.name));
+  for (const View& view : project.views()) names.insert(PicturePath("", view.name).string());
   for (const View& view : project.views()) {
     for (const char* folder : {"overlays", "account"}) {
-      CheckTakesFile(PicturePath(project.CurvesPath(folder), view.name));
+      CheckResultFile(PicturePath(project.CurvesPath(folder), view.name), overwrite);
     }
     for (std::filesystem::path above = view.name; above.has_parent_path();) {
       above = above.parent_path();
@@ -134,7 +135,8 @@ std::string SketchKey(const std::string& refined_cameras, const std::vector<View
 
 void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
                       const std::string& provenance) {
-  const std::string path = project.DrawingPath(name);
+  CheckTakesFile(project.DrawingPath(name));
+  const std::string path = project.DrawingPath(name).string();
   std::error_code ignored;
   if (options.overwrite || !std::filesystem::exists(path, ignored)) return;
   const auto refuse = [&](const std::string& what) {
@@ -159,13 +161,14 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
 }
 
 void CheckDrawingFiles(const Project& project, const RunOptions& options) {
+  CheckTakesFile(project.DrawingPath("drawing.json"));
   for (const char* name : {"drawing.ply", "drawing.obj", "drawing.html"}) {
     CheckResultFile(project.DrawingPath(name), options.overwrite);
   }
   for (const char* name : {"tracks.txt", "account.csv", "project.ini"}) {
     CheckResultFile(project.CurvesPath(name), options.overwrite);
   }
-  CheckPicturePaths(project);
+  CheckPicturePaths(project, options.overwrite);
 }
 
 void CheckSketchFiles(const Project& project, const RunOptions& options) {
@@ -213,7 +216,7 @@ void WriteSketchResults(const Project& project, const std::string& name,
 StoredCurveSketch ReadSketchResult(const Project& project, const std::string& name,
                                    const std::vector<ImageCurves>& curves,
                                    const RunContext& context) {
-  const std::string path = project.CurvesPath(name + ".bin");
+  const std::string path = project.CurvesPath(name + ".bin").string();
   const std::string cameras = RefinedCamerasOf(path);
   const bool has_cameras =
       cameras.empty() || NameOfRefinedCameras(project.layout().model_dir) == cameras;
@@ -260,8 +263,9 @@ void WriteDrawingResults(const Project& project, const DrawingInScene& drawing,
     return DrawOverlay(project.images().read(v), drawing.views[v], v, drawing.graph, look);
   });
   SayPrimitives(drawing.graph, console);
-  console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +
-               project.CurvesPath("tracks.txt") + ", " + project.CurvesPath("overlays"));
+  console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}").string() + ", " +
+               project.CurvesPath("tracks.txt").string() + ", " +
+               project.CurvesPath("overlays").string());
 }
 
 void WriteAccount(const Project& project, const AccountInput& input, Console* console) {
@@ -271,8 +275,8 @@ void WriteAccount(const Project& project, const AccountInput& input, Console* co
   WritePictures(project, "account", std::nullopt, console->context(), [&](ViewId v) {
     return DrawAccount(project.images().read(v), input.scene.curves[v], fates[v]);
   });
-  console->Say("Written: " + project.CurvesPath("account.csv") + ", " +
-               project.CurvesPath("account"));
+  console->Say("Written: " + project.CurvesPath("account.csv").string() + ", " +
+               project.CurvesPath("account").string());
 }
 
 }  // namespace limn::colmap_ext

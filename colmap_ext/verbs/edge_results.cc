@@ -1,7 +1,5 @@
 #include "colmap_ext/verbs/edge_results.h"
 
-#include <filesystem>
-
 #include "colmap_ext/workspace/file_set.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "limn/edges/given_edgels.h"
@@ -13,15 +11,13 @@
 namespace limn::colmap_ext {
 namespace {
 
-namespace fs = std::filesystem;
-
 const char* FolderOf(EdgeFormat format) {
   return format == EdgeFormat::kEdg ? "edges" : "fragments";
 }
 
-std::string PathOf(const Project& project, EdgeFormat format, const std::string& image_name) {
+OutputPath PathOf(const Project& project, EdgeFormat format, const std::string& image_name) {
   const char* extension = format == EdgeFormat::kEdg ? ".edg" : ".cem";
-  return (fs::path(project.CurvesPath(FolderOf(format))) / (image_name + extension)).string();
+  return project.CurvesPath(FolderOf(format)) / (image_name + extension);
 }
 
 // An image that was used as if enlarged has the edges of its pixels.
@@ -39,10 +35,10 @@ void CheckEdgeResults(const Project& project, EdgeFormat format, bool overwrite)
   if (format == EdgeFormat::kNone) return;
   const FileSet inputs(project.edge_files());
   for (const View& view : project.views()) {
-    const std::string path = PathOf(project, format, view.name);
+    const OutputPath path = PathOf(project, format, view.name);
     CheckResultFile(path, overwrite);
-    if (inputs.Contains(path)) {
-      throw IoError(path, "would be replaced, but is an input (edges_path)");
+    if (inputs.Contains(path.string())) {
+      throw IoError(path.string(), "would be replaced, but is an input (edges_path)");
     }
   }
 }
@@ -63,7 +59,7 @@ FragmentsObserver CemWriter(const Project& project) {
 
 void SayEdgeResults(const Project& project, EdgeFormat format, Console* console) {
   if (format == EdgeFormat::kNone) return;
-  console->Say("Written: " + project.CurvesPath(FolderOf(format)));
+  console->Say("Written: " + project.CurvesPath(FolderOf(format)).string());
 }
 
 }  // namespace limn::colmap_ext

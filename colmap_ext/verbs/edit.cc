@@ -1,12 +1,12 @@
 #include "colmap_ext/verbs/edit.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/verbs/drawing_results.h"
+#include "colmap_ext/verbs/edit_report.h"
 #include "limn/cache/content_hash.h"
 #include "limn/editing/apply_edits.h"
 #include "limn/files/whole_file.h"
@@ -19,40 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* StatusName(EditStatus status) {
-  switch (status) {
-    case EditStatus::kApplied:
-      return "";
-    case EditStatus::kPartly:
-      return "applied in part: ";
-    case EditStatus::kNotFound:
-      return "not found: ";
-    case EditStatus::kAmbiguous:
-      return "ambiguous: ";
-    case EditStatus::kNoSense:
-      return "makes no sense: ";
-  }
-  return "";
-}
-
-// How many edits were applied; warns, with their index in the file, of those that were not or only
-// in part, and of what else has become of the drawing.
+// What became of the edits, and of what else is in the drawing.
 void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Console* console) {
-  const auto& outcomes = edited.outcomes;
-  const auto count = [&](EditStatus status) {
-    return std::to_string(std::ranges::count(outcomes, status, &EditOutcome::status));
-  };
-  console->Say("edits: " + std::to_string(edits.size()) + "; applied " +
-               count(EditStatus::kApplied) + ", in part " + count(EditStatus::kPartly) +
-               ", not found " + count(EditStatus::kNotFound) + ", ambiguous " +
-               count(EditStatus::kAmbiguous) + ", without sense " + count(EditStatus::kNoSense));
-  for (size_t e = 0; e < edits.size(); ++e) {
-    const auto& [status, text, warning] = outcomes[e];
-    const std::string name = "edits[" + std::to_string(e) + "] (" + EditName(edits[e]) + "): ";
-    const bool is_applied = status == EditStatus::kApplied;
-    console->Say((is_applied ? "" : "WARNING: ") + name + StatusName(status) + text);
-    if (!warning.empty()) console->Say("WARNING: " + name + warning);
-  }
+  for (const std::string& line : LinesOfEdits(edits, edited.outcomes)) console->Say(line);
   if (edited.num_dropped_faces > 0) {
     console->Say("WARNING: the drawing has no faces left (" +
                  std::to_string(edited.num_dropped_faces) + " before): run drawing_surfacer again");

@@ -128,8 +128,7 @@ size_t ExportLimap(DrawingFile drawing, const ExporterOptions& options, Console*
   const LimapModel limap =
       ToLimap(std::move(drawing), std::move(model), views.views, options.chains);
   WriteNewModel(limap.model, options.output_path, ModelFlavor::kBinary,
-                [&](const std::filesystem::path& folder) {
-                  std::filesystem::create_directory(folder / "structures");
+                [&](const OutputPath& folder) {
                   WriteLimapStructures(limap.structures, folder / "structures");
                 });
   console->Say(std::to_string(limap.structures.lines.size()) + " lines, " +

@@ -26,6 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+// Where the file system has links: they are replaced, never followed.
+constexpr const char* kMadeAsLinks[] = {"with-curves/fused.ply", "with-curves/fused.ply.vis"};
+
 // Views and curve points in the coordinates of the model.
 struct InModel {
   std::vector<View> views;
@@ -40,7 +43,7 @@ InModel ToModel(const Project& project, const std::vector<CurvePoint>& points) {
 
 void WriteSparseWithCurves(const Project& project, int every, const InModel& curves,
                            Console* console) {
-  const fs::path folder = project.DrawingPath("sparse-with-curves");
+  const OutputPath folder = project.DrawingPath("sparse-with-curves");
   SparseModel model = project.ReadModel();
   const size_t before = model.points.size();
   model = AddCurvePoints(std::move(model), curves.points, curves.views, every);
@@ -51,7 +54,7 @@ void WriteSparseWithCurves(const Project& project, int every, const InModel& cur
 
 void WriteMeshing(const Project& project, const DenseInput& dense, const InModel& curves,
                   Console* console) {
-  const fs::path folder = project.DrawingPath("with-curves");
+  const OutputPath folder = project.DrawingPath("with-curves");
   const std::vector<CloudPoint> extra = PointsForMeshing(curves.points);
   if (!project.origin().isZero()) {
     const auto far = static_cast<float>(project.origin().cwiseAbs().maxCoeff());
@@ -60,7 +63,6 @@ void WriteMeshing(const Project& project, const DenseInput& dense, const InModel
                  "positions have steps of " +
                  ShortNumber(std::nextafter(far, 2 * far) - far));
   }
-  fs::create_directories(folder);
   WriteMeshingFolder(folder, dense.for_meshers, project.layout().model_dir, extra, curves.views);
   console->Say("wrote " + folder.string() + ": " + std::to_string(dense.cloud->num_points) +
                " dense points and " + std::to_string(extra.size()) + " of curves; to mesh them:");
@@ -141,24 +143,24 @@ void FuseVerb::CheckFiles(const Project& project, const RunOptions& options) con
   for (const char* name : {"drawing-fused.ply", "drawing-fused.obj"}) {
     CheckResultFile(project.DrawingPath(name), options.overwrite);
   }
-  const bool may_replace = options.overwrite || fs::exists(project.DrawingPath(kFusedDrawing));
-  std::vector<std::string> names = {"pmvs-with-curves.patch",
-                                    "pmvs-with-curves.ply",
-                                    "with-curves/fused.ply",
-                                    "with-curves/fused.ply.vis",
+  const bool may_replace =
+      options.overwrite || fs::exists(project.DrawingPath(kFusedDrawing).string());
+  std::vector<std::string> names = {"pmvs-with-curves.patch", "pmvs-with-curves.ply",
                                     "with-curves/fused-with-curves.ply",
                                     "with-curves/fused-with-curves.ply.vis"};
+  names.insert(names.end(), std::begin(kMadeAsLinks), std::end(kMadeAsLinks));
   for (const ModelFile& file : kBinaryModelFiles) {
     names.push_back(std::string("sparse-with-curves/") + file.name);
   }
   for (const std::string& name : names) {
-    const std::string path = project.DrawingPath(name);
-    CheckTakesFile(path);
-    if (may_replace || !fs::exists(path)) continue;
-    throw IoError(path, "exists, and there is no " + std::string(kFusedDrawing) +
-                            " that it belongs to: --overwrite 1 replaces it");
+    const OutputPath path = project.DrawingPath(name);
+    const bool is_link = fs::is_symlink(fs::symlink_status(path.string()));
+    if (!is_link || !std::ranges::count(kMadeAsLinks, name)) CheckTakesFile(path);
+    if (may_replace || !fs::exists(path.string())) continue;
+    throw IoError(path.string(), "exists, and there is no " + std::string(kFusedDrawing) +
+                                     " that it belongs to: --overwrite 1 replaces it");
   }
-  const fs::path model = project.DrawingPath("with-curves/sparse");
+  const fs::path model = project.DrawingPath("with-curves/sparse").string();
   if (fs::is_directory(fs::symlink_status(model))) {
     throw IoError(model.string(), "is a folder, not the link that is to be made: remove it");
   }
@@ -177,12 +179,12 @@ void FuseVerb::Write(const Job& job, const Project& project, const DrawingInScen
     WriteDrawing(project.DrawingPath(name), graph, made.metadata);
   }
   const InModel curves = ToModel(project, points_);
-  job.console->Say("wrote " + project.DrawingPath("drawing-fused.{ply,json,obj}"));
+  job.console->Say("wrote " + project.DrawingPath("drawing-fused.{ply,json,obj}").string());
   const double spacing = sparse_spacing_px_ / job.options.dense.sample_spacing_px;
   WriteSparseWithCurves(project, std::max(1, static_cast<int>(std::lround(spacing))), curves,
                         job.console);
   if (dense_.products.kind == DenseKind::kPmvs) {
-    const fs::path base = project.DrawingPath("pmvs-with-curves");
+    const OutputPath base = project.DrawingPath("pmvs-with-curves");
     WritePmvsWithCurves(base, dense_.products.clouds, *dense_.cloud, curves.points, curves.views);
     job.console->Say("wrote " + base.string() + ".{patch,ply}");
   }

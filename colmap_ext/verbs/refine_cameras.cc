@@ -18,7 +18,7 @@ void RefineCamerasVerb::Run(const Project& project, const RunOptions& options, C
   CheckRefinedFolder(project, options);
   const std::string sketch = SketchFileName(options.pipeline.mode);
   if (!options.overwrite && !CamerasOfResults(project, sketch).empty()) {
-    throw IoError(project.DrawingPath("drawing.json"),
+    throw IoError(project.DrawingPath("drawing.json").string(),
                   "was made with the cameras in refined/: --overwrite 1 replaces them, "
                   "--output_path writes elsewhere");
   }

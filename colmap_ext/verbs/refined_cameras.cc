@@ -18,6 +18,7 @@
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/refined_folder.h"
 #include "limn/files/atomic_file.h"
+#include "limn/files/writable_folder.h"
 #include "limn/util/errors.h"
 #include "limn/util/median.h"
 #include "limn/util/name_list.h"
@@ -32,7 +33,7 @@ constexpr const char* kWouldReplace =
 
 constexpr const char* kChangesFile = "cameras.csv";
 
-std::string RefinedFolder(const Project& project) { return project.DrawingPath(kRefinedFolder); }
+OutputPath RefinedFolder(const Project& project) { return project.DrawingPath(kRefinedFolder); }
 
 // The largest relative change of a focal length, unless no optics changed.
 void SayOptics(const RefinedCameras& cameras, const ViewSet& set, Console* console) {
@@ -106,13 +107,13 @@ std::string WriteAndSay(SparseModel model, const Project& project, Console* cons
   const std::string names = std::string("{cameras,images,points3D") +
                             (model.rigs.empty() ? "}" : ",rigs,frames}") +
                             (model.flavor == ModelFlavor::kBinary ? ".bin" : ".txt");
-  console->Say("Written: " + RefinedFolder(project) + "/" + names);
+  console->Say("Written: " + (RefinedFolder(project) / names).string());
   return name;
 }
 
 void RemoveChanges(const Project& project) {
-  const std::string changes = project.CurvesPath(kChangesFile);
-  if (IsFileOfLimn(changes)) std::filesystem::remove(changes);
+  const OutputPath changes = project.CurvesPath(kChangesFile);
+  if (IsFileOfLimn(changes.string())) RemoveFile(changes);
 }
 
 }  // namespace
@@ -208,7 +209,7 @@ std::string WhyCamerasStay(const Job& job) {
   if (layout.output.drawing_dir.empty()) return "";
   if (ReadsRefinedFolder(layout)) return kWouldReplace;
   try {
-    CheckRefinedFolder(layout.output.drawing_dir / kRefinedFolder, job.options.overwrite);
+    CheckRefinedFolder(layout.output.Drawing() / kRefinedFolder, job.options.overwrite);
   } catch (const IoError& error) {
     return error.what();
   }
@@ -236,7 +237,9 @@ void CheckRefinedFolder(const Project& project, const RunOptions& options) {
 std::string WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
                               Console* console) {
   if (!cameras) {
-    return ReadsRefinedFolder(project.layout()) ? NameOfRefinedCameras(RefinedFolder(project)) : "";
+    return ReadsRefinedFolder(project.layout())
+               ? NameOfRefinedCameras(RefinedFolder(project).string())
+               : "";
   }
   SparseModel model = project.ReadModel();
   const std::vector<View> views = Moved(cameras->views, project.origin());
@@ -262,23 +265,23 @@ void WriteGivenModel(const Project& project, Console* console) {
 }
 
 std::string CamerasOfDrawing(const Project& project) {
-  return RefinedCamerasOf(project.DrawingPath("drawing.json"));
+  return RefinedCamerasOf(project.DrawingPath("drawing.json").string());
 }
 
 std::string CamerasOfResults(const Project& project, const std::string& sketch) {
   const std::string cameras = CamerasOfDrawing(project);
   if (!cameras.empty()) return cameras;
-  return RefinedCamerasOf(project.CurvesPath(sketch + ".bin"));
+  return RefinedCamerasOf(project.CurvesPath(sketch + ".bin").string());
 }
 
 void RemoveOtherCameras(const Project& project, const std::string& replaced,
                         const std::string& present, Console* console) {
   if (replaced.empty() || !present.empty()) return;
   if (ReadsRefinedFolder(project.layout())) return;
-  const std::string in_folder = NameOfRefinedCameras(RefinedFolder(project));
+  const std::string in_folder = NameOfRefinedCameras(RefinedFolder(project).string());
   if (!in_folder.empty() && in_folder != replaced) return;
   if (!RemoveRefinedFolder(RefinedFolder(project))) {
-    console->Say("WARNING: " + RefinedFolder(project) +
+    console->Say("WARNING: " + RefinedFolder(project).string() +
                  " has files of a model that limn did not write, or that were changed since: they "
                  "do not belong to this drawing");
   }

@@ -24,7 +24,7 @@ void SketchVerb::Run(const Project& project, const RunOptions& options, Console*
   const std::string name = SketchFileName(options.pipeline.mode);
   WriteSketchResults(project, name, project.views(), image_curves.curves, sketch,
                      Metadata(project, Provenance(options)), job.context());
-  console->Say("Written: " + project.CurvesPath(name) + ".{bin,ply}");
+  console->Say("Written: " + project.CurvesPath(name).string() + ".{bin,ply}");
 }
 
 }  // namespace limn::colmap_ext

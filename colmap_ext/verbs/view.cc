@@ -171,7 +171,7 @@ void WriteViewerResult(const Project& project, const std::string& workspace_path
                        const std::string& report_json, const std::optional<Alignment>& shown,
                        Console* console) {
   ViewerScene scene;
-  const fs::path folder = fs::absolute(project.DrawingPath("")).lexically_normal();
+  const fs::path folder = fs::absolute(project.DrawingPath("").string()).lexically_normal();
   scene.title = folder.parent_path().filename().string();
   scene.detail = options.detail;
   scene.graph = Moved(drawing.graph, project.origin());
@@ -180,12 +180,12 @@ void WriteViewerResult(const Project& project, const std::string& workspace_path
   if (shown) MoveToWorld(*shown, &scene);
   scene.thumbnails = Thumbnails(project, options.thumbnail_size, console);
   scene.report_json = report_json;
-  const std::string path = project.DrawingPath(kViewerPage);
+  const OutputPath path = project.DrawingPath(kViewerPage);
   WriteFileAtomically(path, [&](std::ostream& out) { WriteViewerPage(scene, out); });
-  console->Say("wrote " + path + ": " + std::to_string(scene.graph.links.size()) + " links, " +
-               std::to_string(scene.views.size()) + " photographs, " +
+  console->Say("wrote " + path.string() + ": " + std::to_string(scene.graph.links.size()) +
+               " links, " + std::to_string(scene.views.size()) + " photographs, " +
                std::to_string(scene.cloud.size()) + " points, " +
-               std::to_string((fs::file_size(path) + 500000) / 1000000) + " MB");
+               std::to_string((fs::file_size(path.string()) + 500000) / 1000000) + " MB");
 }
 
 }  // namespace limn::colmap_ext

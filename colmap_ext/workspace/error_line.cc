@@ -24,7 +24,7 @@ ErrorLines& Lines() {
 
 void PrintErrorLine(const std::string& line) {
   const std::lock_guard lock(Lines().mutex);
-  dprintf(Lines().descriptor, "%s\n", Printable(line).c_str());
+  dprintf(Lines().descriptor, "%s\n", PrintableLine(line).c_str());
 }
 
 void SendErrorLinesTo(int descriptor) {

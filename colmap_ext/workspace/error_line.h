@@ -4,7 +4,7 @@
 
 namespace limn::colmap_ext {
 
-// Prints a line to standard error, without the control characters in it. It is seen even while
+// Prints a PrintableLine to standard error. It is seen even while
 // decoders are quiet (see QuietDecoders).
 void PrintErrorLine(const std::string& line);
 

@@ -15,6 +15,7 @@
 #include "colmap_ext/workspace/jpeg_check.h"
 #include "colmap_ext/workspace/quiet_decoders.h"
 #include "colmap_ext/workspace/shrink_image.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -38,7 +39,8 @@ void CheckWhole(const fs::path& path) {
 
 ImageSize StoredSize(const fs::path& path) {
   std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) throw IoError(path.string(), "no such image file");
+  if (!fs::exists(path, ignored)) throw IoError(path.string(), "no such image file");
+  CheckIsFile(path.string());
   const auto size = ReadSizeFromHeader(path);
   if (size) return *size;
   throw IoError(path.string(),

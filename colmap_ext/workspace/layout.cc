@@ -240,6 +240,12 @@ Candidate GivenModel(const LayoutOptions& options) {
                 "no folder `images` near this model; name it with --image_path");
 }
 
+// By their names: what is a link makes no difference.
+bool IsBelow(const fs::path& folder, const fs::path& above) {
+  const fs::path relative = folder.lexically_relative(above);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
 // The folder with the refined cameras of this name that a result fits. Empty if they are gone.
 fs::path FindRefinedCameras(const std::string& name, const fs::path& result,
                             const OutputLayout& output) {
@@ -247,6 +253,12 @@ fs::path FindRefinedCameras(const std::string& name, const fs::path& result,
     if (NameOfRefinedCameras(folder / kRefinedFolder) == name) return folder / kRefinedFolder;
   }
   return {};
+}
+
+OutputLayout OutputIn(const fs::path& base, const LayoutOptions& options) {
+  const fs::path workspace = options.workspace_path;
+  const bool is_inside = options.output_path.empty() && IsBelow(base, workspace);
+  return {is_inside ? workspace : base, base, base / "curves"};
 }
 
 void ChooseCameras(const LayoutOptions& options, WorkspaceLayout* layout) {
@@ -289,6 +301,13 @@ void LayoutOptions::Check() const {
   }
 }
 
+OutputPath OutputLayout::Drawing() const {
+  const fs::path below = drawing_dir.lexically_relative(named_dir);
+  return {named_dir, below == "." ? fs::path() : below};
+}
+
+OutputPath OutputLayout::Curves() const { return Drawing() / "curves"; }
+
 WorkspaceLayout ResolveLayout(const LayoutOptions& options) {
   options.Check();
   if (!options.image_path.empty()) CheckImageFolder(options.image_path);
@@ -304,7 +323,7 @@ WorkspaceLayout ResolveLayout(const LayoutOptions& options) {
   layout.dense_dir = chosen.dense_dir;
   const fs::path base =
       options.output_path.empty() ? chosen.base_dir : fs::path(options.output_path);
-  layout.output = {base, base / "curves"};
+  layout.output = OutputIn(base, options);
   ChooseCameras(options, &layout);
   layout.description = Describe(
       layout, layout.model_dir.string(), CountRegisteredImages(layout.model_dir),
@@ -361,7 +380,7 @@ WorkspaceLayout LayoutInMemory(const LayoutOptions& options, size_t num_images) 
   CheckImageFolder(options.image_path);
   WorkspaceLayout layout;
   layout.image_dir = options.image_path;
-  layout.output = {options.output_path, fs::path(options.output_path) / "curves"};
+  layout.output = OutputIn(options.output_path, options);
   layout.description = Describe(layout, "in memory", num_images, "");
   return layout;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "colmap_ext/model/model.h"
+#include "limn/files/output_path.h"
 
 namespace limn::colmap_ext {
 
@@ -32,10 +33,15 @@ struct LayoutOptions {
 
 // Where results go. The folders are not created here.
 struct OutputLayout {
+  // The folder that the user named: those below are in it, or it is drawing_dir.
+  std::filesystem::path named_dir;
   // drawing.ply and the like; beside fused.ply in a dense workspace.
   std::filesystem::path drawing_dir;
   // Cache, sketches, tracks, overlays, project.ini.
   std::filesystem::path curves_dir;
+
+  OutputPath Drawing() const;
+  OutputPath Curves() const;
 };
 
 struct WorkspaceLayout {

@@ -11,6 +11,8 @@
 
 #include "colmap_ext/workspace/file_set.h"
 #include "limn/files/atomic_file.h"
+#include "limn/files/writable_folder.h"
+#include "limn/pictures/picture.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -50,9 +52,10 @@ constexpr Mark kMarks[] = {
     {"# Curve tracks: links of drawing.json "},
     {"# EDGE_MAP v3.0\n\n# Format :  ", " by limn\n"},
     {".CEM v2.0\n# Curve fragments by limn\n"},
-    {"view,not linked,"},  // account.csv
-    {"image,moved px,"},   // cameras.csv
-    {"workspace_path="},   // project.ini
+    {"\x89PNG\r\n\x1a\n", kPngOfLimn},  // overlays
+    {"view,not linked,"},               // account.csv
+    {"image,moved px,"},                // cameras.csv
+    {"workspace_path="},                // project.ini
     {"# Files of this model as limn wrote them"},
     {"# CAMERA_ID, MODEL,"},  // refined/, where COLMAP begins with other comments
     {"# IMAGE_ID, QW,"},
@@ -61,8 +64,10 @@ constexpr Mark kMarks[] = {
     {"# FRAME_ID, RIG_ID,"},
 };
 
-// Empty if the file cannot be read.
+// Empty if the file cannot be read, or is a pipe, from which nothing may ever come.
 std::string BeginningOf(const std::string& path, size_t max_bytes = kSearchedBytes) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return "";
   std::string bytes(max_bytes, '\0');
   std::ifstream in(path, std::ios::binary);
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -84,78 +89,34 @@ bool IsModelFile(const fs::path& path) {
          std::find(std::begin(kStems), std::end(kStems), stem) != std::end(kStems);
 }
 
-bool IsEmptyButForLock(const fs::path& folder) {
-  std::error_code ignored;
-  const fs::directory_iterator entries(folder, ignored);
-  return std::all_of(begin(entries), end(entries),
-                     [](const auto& entry) { return entry.path().filename() == ".lock"; });
-}
-
-bool HoldsCache(const fs::path& cache_dir) {
-  std::error_code ignored;
-  return fs::is_directory(cache_dir / "fragments", ignored) ||
-         fs::is_directory(cache_dir / "edges", ignored);
-}
-
-// As a folder of curves does when its cache is deleted.
-bool HoldsResults(const fs::path& folder) {
-  std::error_code ignored;
-  const fs::directory_iterator entries(folder, ignored);
-  return std::any_of(begin(entries), end(entries), [&](const auto& entry) {
-    return entry.is_regular_file(ignored) &&
-           IsMadeByLimn(BeginningOf(entry.path().string(), kFirstBytes));
-  });
-}
-
 [[noreturn]] void RefuseToReplace(const std::string& path, const std::string& what) {
   throw IoError(path, what + ": --overwrite 1 replaces it");
 }
 
 }  // namespace
 
-void CheckWritable(const fs::path& folder) {
-  std::error_code error;
-  fs::path existing = fs::absolute(folder);
-  while (!fs::exists(fs::symlink_status(existing, error)) && existing.has_relative_path()) {
-    existing = existing.parent_path();
-  }
-  std::string reason;
-  if (!fs::is_directory(existing, error)) {
-    reason = existing.string() + " is not a folder";
-  } else if (access(existing.c_str(), W_OK | X_OK) != 0) {
-    reason = existing.string() + ": " + std::strerror(errno);
-  }
-  if (reason.empty()) return;
-  throw IoError(folder.string(),
-                "results cannot be written here (" + reason + "): choose another --output_path");
-}
-
-void CheckLinkedCurves(const fs::path& curves_dir) {
-  const fs::path cache_dir = curves_dir / "cache";
-  for (const fs::path& folder : {curves_dir, cache_dir}) {
-    std::error_code ignored;
-    if (!fs::is_symlink(folder, ignored)) continue;
-    if (IsEmptyButForLock(folder) || HoldsCache(cache_dir) || HoldsResults(folder)) continue;
-    throw IoError(folder.string(), "is a link to " + fs::canonical(folder, ignored).string() +
-                                       ", which holds other files than results of limn: link an "
-                                       "empty folder, or choose another --output_path");
-  }
+void CheckWritable(const OutputPath& folder) {
+  const WritableFolder nearest = WritableFolder::Nearest(folder);
+  if (faccessat(nearest.descriptor(), ".", W_OK | X_OK, 0) == 0) return;
+  throw IoError(folder.string(), "results cannot be written here (" + nearest.path() + ": " +
+                                     std::strerror(errno) + "): choose another --output_path");
 }
 
 bool IsFileOfLimn(const std::string& path) {
   return IsMadeByLimn(BeginningOf(path, kFirstBytes)) || IsMadeByLimn(BeginningOf(path));
 }
 
-void CheckResultFile(const std::string& path, bool overwrite) {
+void CheckResultFile(const OutputPath& path, bool overwrite) {
   CheckTakesFile(path);
   std::error_code ignored;
-  if (overwrite || !fs::exists(path, ignored) || IsFileOfLimn(path)) return;
-  RefuseToReplace(path, "exists, and was not made by limn");
+  if (overwrite || !fs::exists(path.string(), ignored) || IsFileOfLimn(path.string())) return;
+  RefuseToReplace(path.string(), "exists, and was not made by limn");
 }
 
-void CheckNamedOutput(const std::string& path, const std::vector<std::string>& inputs,
+void CheckNamedOutput(const OutputPath& output, const std::vector<std::string>& inputs,
                       bool overwrite) {
-  CheckResultFile(path, overwrite);
+  CheckResultFile(output, overwrite);
+  const std::string& path = output.string();
   std::error_code ignored;
   if (overwrite || !fs::exists(path, ignored)) return;
   if (FileSet(inputs).Contains(path)) RefuseToReplace(path, "is an input");

@@ -1,19 +1,16 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "limn/files/output_path.h"
+
 namespace limn::colmap_ext {
 
-// Throws IoError unless files can be created in this folder, or the folder itself can. Writes
-// nothing; to be called before a long run.
-void CheckWritable(const std::filesystem::path& folder);
-
-// Throws IoError if the folder of curves, or its cache, is a symbolic link to a folder that holds
-// something other than results of limn: results may be kept on another disk, but a link that limn
-// did not expect must not mix them with other files.
-void CheckLinkedCurves(const std::filesystem::path& curves_dir);
+// Throws IoError unless files can be created in this folder, or the folder itself can, without
+// following a link below the folder that the user named. Writes nothing; to be called before a long
+// run.
+void CheckWritable(const OutputPath& folder);
 
 // Whether this is a file that limn writes, by what it begins with. Not for binary files of models.
 bool IsFileOfLimn(const std::string& path);
@@ -21,14 +18,14 @@ bool IsFileOfLimn(const std::string& path);
 // Also to be called before the work, for every file that will be written. Throws IoError if the
 // path is not a regular file (see CheckTakesFile) or, unless `overwrite`, a file that limn did not
 // write.
-void CheckResultFile(const std::string& path, bool overwrite);
+void CheckResultFile(const OutputPath& path, bool overwrite);
 
 // Help text of the option `overwrite` of commands whose output files are named by the user.
 constexpr const char* kOverwriteHelp = "replace an output that is an input, a drawing or not ours";
 
 // The same for a file that the user names. Unless `overwrite`, it must not be one of the inputs, a
 // file of a model or a drawing.json either: these may be the only ones.
-void CheckNamedOutput(const std::string& path, const std::vector<std::string>& inputs,
+void CheckNamedOutput(const OutputPath& path, const std::vector<std::string>& inputs,
                       bool overwrite);
 
 }  // namespace limn::colmap_ext

@@ -1,7 +1,9 @@
 #pragma once
 
-#include <filesystem>
+#include <string>
 #include <vector>
+
+#include "limn/files/output_path.h"
 
 namespace limn::colmap_ext {
 
@@ -14,24 +16,25 @@ enum class LockMode { kExclusive, kShared };
 // nothing. Works across hosts if the file system supports it (NFS does).
 class OutputLock {
  public:
-  // Creates the folder. Throws IoError if something other than a regular file is in the place of
-  // the file (links are not followed), or, with the file and the process that holds the lock, if it
-  // cannot be acquired at once (a shared one: within a second), or where the file system has no
-  // flock.
-  OutputLock(const std::filesystem::path& folder, LockMode mode);
+  // Creates the folder (see WritableFolder). Throws IoError if something other than a lock file of
+  // limn is in the place of the file (links are not followed), or, with the file and the process
+  // that holds the lock, if it cannot be acquired at once (a shared one: within a second), or where
+  // the file system has no flock.
+  OutputLock(const OutputPath& folder, LockMode mode);
   // Removes the files it created if no other process holds the lock.
   ~OutputLock();
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;
 
  private:
+  std::string path() const;
   // False if another process removed the file in the meantime.
   bool TryLock(LockMode mode);
   // The file, and the folders that were created for it if they are empty.
   void RemoveWhatWasMade() const;
 
-  std::filesystem::path path_;
-  std::vector<std::filesystem::path> made_folders_;  // inner ones first
+  OutputPath folder_;
+  std::vector<OutputPath> made_folders_;  // inner ones first
   int file_ = -1;
 };
 

@@ -16,6 +16,7 @@
 #include "limn/cache/curve_sketch_file.h"
 #include "limn/files/atomic_file.h"
 #include "limn/files/whole_file.h"
+#include "limn/files/writable_folder.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/util/errors.h"
 
@@ -55,8 +56,8 @@ Record ReadRecord(const fs::path& folder) {
   return record;
 }
 
-void WriteRecord(const Record& record, const fs::path& folder) {
-  WriteFileAtomically((folder / kRecord).string(), [&](std::ostream& out) {
+void WriteRecord(const Record& record, const OutputPath& folder) {
+  WriteFileAtomically(folder / kRecord, [&](std::ostream& out) {
     out << kRecordHead;
     for (const std::string& line : record) out << line << '\n';
   });
@@ -76,12 +77,6 @@ std::map<std::string, std::string> OwnFiles(const fs::path& folder) {
     if (has_record ? record.contains(line) : IsFileOfLimn(path)) own.emplace(name, line);
   }
   return own;
-}
-
-void Remove(const fs::path& path) {
-  std::error_code error;
-  fs::remove(path, error);
-  if (error) throw IoError(path.string(), "cannot be removed: " + error.message());
 }
 
 // The lines of the files that a model will have.
@@ -122,46 +117,45 @@ std::string NameOfCameras(const SparseModel& model) {
 
 }  // namespace
 
-void CheckRefinedFolder(const fs::path& folder, bool overwrite) {
-  CheckResultFile((folder / kRecord).string(), overwrite);
-  const auto own = OwnFiles(folder);
+void CheckRefinedFolder(const OutputPath& folder, bool overwrite) {
+  CheckResultFile(folder / kRecord, overwrite);
+  const auto own = OwnFiles(folder.string());
   for (const std::string& name : ModelFileNames()) {
-    const std::string path = (folder / name).string();
+    const OutputPath path = folder / name;
     CheckTakesFile(path);
-    if (overwrite || own.contains(name) || !Exists(path)) continue;
-    throw IoError(path,
+    if (overwrite || own.contains(name) || !Exists(path.string())) continue;
+    throw IoError(path.string(),
                   "exists, and was not made by limn, or was changed since: --overwrite 1 replaces "
                   "it, --output_path writes elsewhere");
   }
 }
 
-std::string WriteRefinedFolder(const SparseModel& model, const fs::path& folder) {
+std::string WriteRefinedFolder(const SparseModel& model, const OutputPath& folder) {
   if (model.flavor == ModelFlavor::kText) CheckTextNames(model);
   const std::map<std::string, std::string> files = NewFiles(model);
   const Record record = RecordOf(files);
   // Whenever the run is killed, old and new files are known.
-  Record with_old = RecordOf(OwnFiles(folder));
+  Record with_old = RecordOf(OwnFiles(folder.string()));
   with_old.insert(record.begin(), record.end());
   WriteRecord(with_old, folder);
   WriteModel(model, model.flavor, folder);
   for (const std::string& name : ModelFileNames()) {
-    if (!files.contains(name)) Remove(folder / name);
+    if (!files.contains(name)) RemoveFile(folder / name);
   }
   if (with_old != record) WriteRecord(record, folder);
-  return NameOfRefinedCameras(folder);
+  return NameOfRefinedCameras(folder.string());
 }
 
-bool RemoveRefinedFolder(const fs::path& folder) {
-  for (const auto& [name, line] : OwnFiles(folder)) Remove(folder / name);
+bool RemoveRefinedFolder(const OutputPath& folder) {
+  for (const auto& [name, line] : OwnFiles(folder.string())) RemoveFile(folder / name);
   for (const std::string& name : ModelFileNames()) {
-    if (Exists(folder / name)) return false;
+    if (Exists((folder / name).string())) return false;
   }
-  if (Exists(folder / kRecord) && IsFileOfLimn((folder / kRecord).string())) {
-    Remove(folder / kRecord);
-  }
-  // Fails if it is not empty. A link is not limn's.
-  std::error_code ignored;
-  if (!fs::is_symlink(folder, ignored)) fs::remove(folder, ignored);
+  const std::string record = (folder / kRecord).string();
+  if (Exists(record) && IsFileOfLimn(record)) RemoveFile(folder / kRecord);
+  // Stays if it is not empty.
+  const auto above = WritableFolder::Find(folder.Folder());
+  if (above) above->RemoveEmptyFolder(folder.Name());
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "colmap_ext/model/model.h"
+#include "limn/files/output_path.h"
 
 namespace limn::colmap_ext {
 
@@ -15,16 +16,16 @@ constexpr const char* kRefinedFolder = "refined";
 
 // Call it before the work. Throws IoError if a file there could not be replaced, or, unless
 // `overwrite`, is not limn's. Files of both flavors count: all of them will be replaced.
-void CheckRefinedFolder(const std::filesystem::path& folder, bool overwrite);
+void CheckRefinedFolder(const OutputPath& folder, bool overwrite);
 
 // Writes the model in its flavor, each file atomically, and removes all other files of a model.
 // Returns its NameOfRefinedCameras. Precondition: CheckRefinedFolder. Throws IoError, and what
 // CheckTextNames throws.
-std::string WriteRefinedFolder(const SparseModel& model, const std::filesystem::path& folder);
+std::string WriteRefinedFolder(const SparseModel& model, const OutputPath& folder);
 
 // Removes what limn wrote there, and the folder if it is empty then. Returns whether no file of a
 // model is left. Throws IoError.
-bool RemoveRefinedFolder(const std::filesystem::path& folder);
+bool RemoveRefinedFolder(const OutputPath& folder);
 
 // A name of the cameras of a model, by names, poses and parameters, for the results that fit them.
 // Empty if the folder has no model, or a damaged one.

@@ -126,6 +126,21 @@ TEST(OutputFolder, FilesThatAreNotOursStayAndAreFoundBeforeWorkStarts) {
   }
 }
 
+// Others, at every depth, are tested by tests/hostile/output_links.py.
+TEST(OutputFolder, LinksInItLeadNothingElsewhere) {
+  const SmallScene scene;
+  const TempDir pictures;
+  Write(pictures / "view_03.jpg.png", "mine");
+  fs::create_directories(scene / "curves");
+  fs::create_directory_symlink(pictures.path(), scene / "curves/overlays");
+  const LimnRun run = RunLimn(scene.Arguments({"--overwrite", "1"}));
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, StartsWith("ERROR: " + (scene / "curves/overlays").string() +
+                                  ": is a link to " + pictures.path().string() + ", and nothing"));
+  EXPECT_EQ(ReadTree(pictures.path()),
+            (std::map<std::string, std::string>{{"view_03.jpg.png", "mine"}}));
+}
+
 TEST(OutputFolder, ASketchReplacesOnlySketches) {
   const SmallScene scene;
   const fs::path sketch = scene / "curves/swept-sketch.ply";

@@ -84,8 +84,13 @@ def join(*values):
 class Model:
     """Lists of cameras, images, points, rigs and frames with their fields in the order of COLMAP's files."""
 
-    def __init__(self, folder):
+    def __init__(self, folder=None):
         self.cameras, self.images, self.points, self.rigs, self.frames = [], [], [], [], []
+        if folder is not None:
+            self.read(folder)
+
+    def read(self, folder):
+        """Some of the views and points of a binary model."""
         with open(folder / 'cameras.bin', 'rb') as f:
             for _ in range(unpack(f, 'Q')[0]):
                 camera, model, width, height = unpack(f, 'iiQQ')

@@ -9,7 +9,7 @@
 
 namespace limn {
 
-void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
+void WriteCurveSketch(const OutputPath& path, const CurveSketch& sketch,
                       const DrawingMetadata& metadata, const std::string& identity) {
   ByteWriter out;
   out.PutString(metadata.refined_cameras);

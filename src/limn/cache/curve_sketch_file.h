@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/files/output_path.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/model/curve3d.h"
 
@@ -18,7 +19,7 @@ struct StoredCurveSketch {
 
 // Stores a curve sketch with its per-sample support (see stage_file.h for the container and
 // `identity`).
-void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
+void WriteCurveSketch(const OutputPath& path, const CurveSketch& sketch,
                       const DrawingMetadata& metadata, const std::string& identity);
 
 // Nothing if the file is stale: made from other input or by another version of Limn. An empty

@@ -165,7 +165,7 @@ void GetIds(ByteReader* in, ImageCurves* curves) {
 
 }  // namespace
 
-void WriteImageCurves(const std::string& path, const ImageCurves& curves,
+void WriteImageCurves(const OutputPath& path, const ImageCurves& curves,
                       const std::string& identity) {
   ByteWriter out;
   PutEdgeMap(curves.edge_map, &out);

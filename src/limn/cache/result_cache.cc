@@ -26,15 +26,15 @@ CacheUse NothingYet(CachedKind kind) {
 
 }  // namespace
 
-ResultCache::ResultCache(std::string dir) : dir_(std::move(dir)) {
+ResultCache::ResultCache(OutputPath dir) : dir_(std::move(dir)) {
   for (int kind = 0; kind < kNumCachedKinds; ++kind) {
     use_[kind] = NothingYet(static_cast<CachedKind>(kind));
   }
 }
 
-std::string ResultCache::PathOf(CachedKind kind, const std::string& name) const {
+OutputPath ResultCache::PathOf(CachedKind kind, const std::string& name) const {
   const char* folder = kFolders[static_cast<int>(kind)];
-  return (std::filesystem::path(dir_) / folder / (name + ".bin")).string();
+  return dir_ / folder / (name + ".bin");
 }
 
 bool ResultCache::Exists(const std::string& path) const {
@@ -62,7 +62,7 @@ void ResultCache::CountDamaged(CachedKind kind, const std::string& damage) {
 }
 
 void ResultCache::Store(CachedKind kind, const std::string& name,
-                        const std::function<void(const std::string&)>& write) {
+                        const std::function<void(const OutputPath&)>& write) {
   if (!IsOn()) return;
   try {
     write(PathOf(kind, name));

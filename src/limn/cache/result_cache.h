@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "limn/files/output_path.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -39,10 +40,10 @@ struct CacheUse {
 class ResultCache {
  public:
   // An empty folder name stores nothing.
-  explicit ResultCache(std::string dir);
+  explicit ResultCache(OutputPath dir);
 
-  const std::string& dir() const { return dir_; }
-  bool IsOn() const { return !dir_.empty(); }
+  const std::string& dir() const { return dir_.string(); }
+  bool IsOn() const { return !dir().empty(); }
 
   // Call it when a stage begins that needs `total` results of this kind; resets their counts.
   void Expect(CachedKind kind, size_t total);
@@ -52,7 +53,7 @@ class ResultCache {
   template <typename Result>
   std::optional<Result> Find(CachedKind kind, const std::string& name,
                              const std::function<std::optional<Result>(const std::string&)>& read) {
-    const std::string path = PathOf(kind, name);
+    const std::string path = PathOf(kind, name).string();
     if (!Exists(path)) return std::nullopt;
     try {
       std::optional<Result> found = read(path);
@@ -69,24 +70,24 @@ class ResultCache {
   std::optional<Result> Read(
       CachedKind kind, const std::string& name,
       const std::function<std::optional<Result>(const std::string&)>& read) const {
-    const std::string path = PathOf(kind, name);
+    const std::string path = PathOf(kind, name).string();
     return Exists(path) ? read(path) : std::nullopt;
   }
 
   // `write(path)` writes a file and throws IoError if it cannot.
   void Store(CachedKind kind, const std::string& name,
-             const std::function<void(const std::string&)>& write);
+             const std::function<void(const OutputPath&)>& write);
 
   CacheUse Use(CachedKind kind) const;
 
  private:
-  std::string PathOf(CachedKind kind, const std::string& name) const;
+  OutputPath PathOf(CachedKind kind, const std::string& name) const;
   bool Exists(const std::string& path) const;
   void CountRead(CachedKind kind, bool is_good);
   void CountDamaged(CachedKind kind, const std::string& damage);
   CacheUse& UseOf(CachedKind kind) { return use_[static_cast<int>(kind)]; }
 
-  std::string dir_;
+  OutputPath dir_;
   mutable std::mutex mutex_;
   std::array<CacheUse, kNumCachedKinds> use_;
 };

@@ -34,7 +34,7 @@ std::optional<std::string> ReadHead(const std::string& path, StageKind kind, Byt
 
 }  // namespace
 
-void WriteStageFile(const std::string& path, StageKind kind, std::string_view identity,
+void WriteStageFile(const OutputPath& path, StageKind kind, std::string_view identity,
                     std::string_view payload) {
   ByteWriter head;
   for (const char c : kMagic) head.Put(c);

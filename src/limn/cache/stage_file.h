@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "limn/files/output_path.h"
+
 namespace limn {
 
 enum class StageKind : uint32_t {
@@ -21,7 +23,7 @@ enum class StageKind : uint32_t {
 // What of the payload shrinks is packed already (packed_numbers.h). `identity`, chosen by the
 // caller, represents everything that the payload depends on (options, input). The same input gives
 // the same bytes. Throws IoError.
-void WriteStageFile(const std::string& path, StageKind kind, std::string_view identity,
+void WriteStageFile(const OutputPath& path, StageKind kind, std::string_view identity,
                     std::string_view payload);
 
 // The payload, or nothing if the file is stale: its identity differs from `identity` (empty: any is

@@ -127,7 +127,7 @@ bool IsFiniteCurve(const Curve3D& curve) {
 
 }  // namespace
 
-void WriteViewSketch(const std::string& path, const ViewDepths& depths,
+void WriteViewSketch(const OutputPath& path, const ViewDepths& depths,
                      const std::vector<Curve3D>& sketched, const std::vector<ViewId>& depends_on,
                      const std::vector<ImageCurves>& curves, const std::string& identity) {
   ByteWriter out;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/files/output_path.h"
 #include "limn/model/view.h"
 #include "limn/sketch/view_sketch.h"
 
@@ -13,7 +14,7 @@ namespace limn {
 // stage_file.h for the container and `identity`). `depends_on` are the view and those that the
 // sketch depends on, ascending: the file counts views by this list, so that other views may come
 // and go. `curves` are the image curves of all views.
-void WriteViewSketch(const std::string& path, const ViewDepths& depths,
+void WriteViewSketch(const OutputPath& path, const ViewDepths& depths,
                      const std::vector<Curve3D>& sketched, const std::vector<ViewId>& depends_on,
                      const std::vector<ImageCurves>& curves, const std::string& identity);
 

@@ -3,14 +3,18 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <optional>
+#include <ostream>
 #include <random>
+#include <string>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "limn/files/file_buffer.h"
 #include "limn/files/temporary_path.h"
+#include "limn/files/writable_folder.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -20,8 +24,13 @@ namespace fs = std::filesystem;
 
 constexpr size_t kMaxNameBytes = 255;
 
-// Several processes may write the same file at the same time, on several hosts.
-std::string RandomName() {
+[[noreturn]] void FailToWrite(const OutputPath& path, const std::string& reason) {
+  throw IoError(path.string(), "cannot write: " + reason);
+}
+
+// Several processes may write the same file at the same time, on several hosts. The name does not
+// contain that of the file, which may be as long as names can be.
+std::string TemporaryName() {
   thread_local std::random_device device;
   std::string name;
   for (int i = 0; i < 2; ++i) {
@@ -29,91 +38,82 @@ std::string RandomName() {
       name += "0123456789abcdef"[rest & 15];
     }
   }
-  return name;
+  return name.append(kTemporarySuffix);
 }
 
-// Beside `path`. Its name does not contain that of `path`, which may be as long as names can be.
-fs::path TemporaryFor(const fs::path& path) {
-  return path.parent_path() / (RandomName() + std::string(kTemporarySuffix));
-}
-
-// Owner and permissions of the file that will be replaced, if there is one.
-void TakeModeOf(const std::string& path, const fs::path& temporary) {
-  struct stat old;
-  if (lstat(path.c_str(), &old) != 0 || !S_ISREG(old.st_mode)) return;
+// A new file with the owner and permissions of the one that will be replaced, if there is one.
+FileDescriptor OpenNew(const WritableFolder& folder, const std::string& temporary,
+                       const std::string& name) {
+  constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+  FileDescriptor file(openat(folder.descriptor(), temporary.c_str(), kFlags, 0666));
+  const auto old = folder.StatusOf(name);
+  if (!file.IsOpen() || !old || !S_ISREG(old->st_mode)) return file;
   // Only root may give files away.
-  (void)!chown(temporary.c_str(), old.st_uid, old.st_gid);
-  (void)!chmod(temporary.c_str(), old.st_mode & 0777);
-}
-
-void MakeParentFolder(const std::string& path) {
-  const fs::path folder = fs::path(path).parent_path();
-  if (folder.empty()) return;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError(folder.string(), "cannot create the folder: " + error.message());
-}
-
-// The first that is there, of the folder of a file and those above it.
-fs::path NearestAbove(const fs::path& path) {
-  std::error_code ignored;
-  fs::path folder = fs::absolute(path).parent_path();
-  while (folder.has_relative_path() && !fs::exists(fs::symlink_status(folder, ignored))) {
-    folder = folder.parent_path();
-  }
-  return folder;
+  (void)!fchown(file.number(), old->st_uid, old->st_gid);
+  (void)!fchmod(file.number(), old->st_mode & 0777);
+  return file;
 }
 
 // /dev/stdout may lead to a regular file, but stands among devices.
-bool IsAmongDevices(const fs::path& path) {
+bool IsAmongDevices(const fs::path& named) {
   std::error_code ignored;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path(), ignored);
+  const fs::path folder = fs::weakly_canonical(named, ignored);
   return folder == "/dev" || folder.string().starts_with("/proc/");
+}
+
+bool LeadsToDevice(const WritableFolder& folder, const std::string& name) {
+  struct stat status = {};
+  if (fstatat(folder.descriptor(), name.c_str(), &status, 0) != 0) return false;
+  return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+// Throws IoError unless this is nothing, or a file to replace.
+void CheckReplaced(const OutputPath& path) {
+  const auto folder = WritableFolder::Find(path.Folder());
+  const auto there = folder ? folder->StatusOf(path.Name()) : std::nullopt;
+  if (there && S_ISDIR(there->st_mode)) FailToWrite(path, "is a folder, not a file");
+  if (IsAmongDevices(path.named()) || (there && LeadsToDevice(*folder, path.Name()))) {
+    FailToWrite(path, "is a device or a pipe, or leads to one, and no file");
+  }
+  if (there && S_ISLNK(there->st_mode)) RefuseLink(path.string());
 }
 
 }  // namespace
 
-void CheckTakesFile(const std::string& path) {
-  std::error_code ignored;
-  if (fs::path(path).filename().string().size() > kMaxNameBytes) {
-    throw IoError(path, "cannot write: the name of the file is longer than 255 bytes");
+void CheckTakesFile(const OutputPath& path) {
+  if (path.Name().empty()) FailToWrite(path, "is a folder, not a file");
+  if (path.Name().size() > kMaxNameBytes) {
+    FailToWrite(path, "the name of the file is longer than 255 bytes");
   }
-  const fs::path folder = NearestAbove(path);
-  if (!fs::is_directory(folder, ignored)) {
-    throw IoError(path, "cannot write: " + folder.string() + " is not a folder");
-  }
-  const fs::file_status there = fs::status(path, ignored);
-  if (fs::is_directory(there)) throw IoError(path, "cannot write: is a folder, not a file");
-  if (fs::is_other(there) || IsAmongDevices(path)) {
-    throw IoError(path, "cannot write: is a device or a pipe, or leads to one, and no file");
-  }
+  WritableFolder::Nearest(path.Folder());  // throws
+  CheckReplaced(path);
 }
 
-void WriteFileAtomically(const std::string& path, const std::function<void(std::ostream&)>& write) {
+void WriteFileAtomically(const OutputPath& path, const std::function<void(std::ostream&)>& write) {
   CheckTakesFile(path);
-  std::optional<TemporaryPath> temporary;  // removed after errno was read
-  std::ofstream out;
+  FileDescriptor file;
+  TemporaryPath temporary(path.Folder() / TemporaryName(),
+                          [&](const WritableFolder& folder, const std::string& name) {
+                            file = OpenNew(folder, name, path.Name());
+                            if (!file.IsOpen()) FailToWrite(path, std::strerror(errno));
+                          });
+  FileBuffer buffer(std::move(file));
+  std::ostream out(&buffer);
   // An exception at the first byte that cannot be written: the reason is still in errno, and the
   // rest is not made in vain.
   out.exceptions(std::ios::failbit | std::ios::badbit);
   try {
-    // The folder, too, is made here: after AbandonWrites, nothing may be made any more.
-    temporary.emplace(TemporaryFor(path), [&](const fs::path& made) {
-      MakeParentFolder(path);
-      errno = 0;
-      out.open(made, std::ios::binary | std::ios::trunc);
-    });
-    TakeModeOf(path, temporary->path());
+    errno = 0;
     write(out);
-    out.close();
+    if (!buffer.Close()) out.setstate(std::ios::badbit);
   } catch (const std::ios_base::failure&) {
-    throw IoError(path, std::string("cannot write: ") + std::strerror(errno));
+    FailToWrite(path, std::strerror(errno));
   }
-  const std::error_code error = temporary->RenameTo(path);
-  if (error) throw IoError(path, "cannot write: " + error.message());
+  const int reason = temporary.RenameTo(path.Name());
+  if (reason != 0) FailToWrite(path, std::strerror(reason));
 }
 
-void WriteFileAtomically(const std::string& path, std::string_view bytes) {
+void WriteFileAtomically(const OutputPath& path, std::string_view bytes) {
   WriteFileAtomically(path, [&](std::ostream& out) {
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   });

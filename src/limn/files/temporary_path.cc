@@ -1,19 +1,19 @@
 #include "limn/files/temporary_path.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <cstdio>
 #include <mutex>
 #include <set>
-#include <utility>
 
 namespace limn {
 namespace {
 
-namespace fs = std::filesystem;
-
 // The temporary paths of all writes in progress.
 struct OpenWrites {
   std::mutex mutex;
-  std::set<fs::path> paths;
+  std::set<TemporaryPath*> paths;
   std::atomic<size_t> num_renamed = 0;
 };
 
@@ -23,44 +23,57 @@ OpenWrites& Writes() {
   return *writes;
 }
 
-// Again if another thread makes a file in the folder meanwhile.
-void RemoveFromOthers(const fs::path& path) {
-  constexpr int kMaxTimes = 100;
-  std::error_code error;
-  fs::remove_all(path, error);
-  for (int i = 1; i < kMaxTimes && error; ++i) fs::remove_all(path, error);
+WritableFolder MakeIn(const OutputPath& path,
+                      const std::function<void(const WritableFolder&, const std::string&)>& make) {
+  WritableFolder folder = WritableFolder::Make(path.Folder());
+  make(folder, path.Name());
+  return folder;
 }
 
 }  // namespace
 
-TemporaryPath::TemporaryPath(fs::path path, const std::function<void(const fs::path&)>& make)
-    : path_(std::move(path)) {
-  const std::lock_guard lock(Writes().mutex);
-  make(path_);
-  Writes().paths.insert(path_);
-}
+// Even the folder is made while no other thread can abandon all writes.
+TemporaryPath::TemporaryPath(
+    const OutputPath& path,
+    const std::function<void(const WritableFolder&, const std::string&)>& make)
+    : path_(path), folder_([&] {
+        const std::lock_guard lock(Writes().mutex);
+        WritableFolder folder = MakeIn(path, make);
+        Writes().paths.insert(this);
+        return folder;
+      }()) {}
 
 TemporaryPath::~TemporaryPath() {
-  std::error_code ignored;
-  if (!is_renamed_) fs::remove_all(path_, ignored);
+  if (!is_renamed_) folder_.RemoveAll(path_.Name());
   const std::lock_guard lock(Writes().mutex);
-  Writes().paths.erase(path_);
+  Writes().paths.erase(this);
 }
 
-std::error_code TemporaryPath::RenameTo(const fs::path& path) {
+int TemporaryPath::RenameTo(const std::string& name) {
   const std::lock_guard lock(Writes().mutex);
-  std::error_code error;
-  fs::rename(path_, path, error);
-  is_renamed_ = !error;
+  const int folder = folder_.descriptor();
+  if (renameat(folder, path_.Name().c_str(), folder, name.c_str()) != 0) return errno;
+  is_renamed_ = true;
   // What is in a temporary folder is not a result yet.
-  if (is_renamed_ && !Writes().paths.contains(path.parent_path())) ++Writes().num_renamed;
-  return error;
+  const bool is_inside = std::ranges::any_of(Writes().paths, [&](const TemporaryPath* other) {
+    return other->path().string() == folder_.path();
+  });
+  if (!is_inside) ++Writes().num_renamed;
+  return 0;
 }
 
 void AbandonWrites() {
   // Locked for good: no write may begin or end any more.
   Writes().mutex.lock();
-  for (const fs::path& path : Writes().paths) RemoveFromOthers(path);
+  // Again if another thread makes a file in the folder meanwhile.
+  constexpr int kMaxTimes = 100;
+  for (const TemporaryPath* temporary : Writes().paths) {
+    if (temporary->is_renamed_) continue;
+    for (int i = 0; i < kMaxTimes; ++i) {
+      const int reason = temporary->folder_.RemoveAll(temporary->path_.Name());
+      if (reason == 0 || reason == ENOENT) break;
+    }
+  }
 }
 
 size_t NumRenamed() { return Writes().num_renamed; }

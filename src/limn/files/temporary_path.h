@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <functional>
-#include <system_error>
+#include <string>
+
+#include "limn/files/output_path.h"
+#include "limn/files/writable_folder.h"
 
 namespace limn {
 
@@ -11,21 +13,25 @@ namespace limn {
 // destructor, and by AbandonWrites, unless it has been renamed.
 class TemporaryPath {
  public:
-  // `make` creates it; its exceptions propagate.
-  TemporaryPath(std::filesystem::path path,
-                const std::function<void(const std::filesystem::path&)>& make);
+  // `make` creates it, with this name in this folder, which is made if it is missing. Throws
+  // IoError; exceptions of `make` propagate.
+  TemporaryPath(const OutputPath& path,
+                const std::function<void(const WritableFolder&, const std::string&)>& make);
   ~TemporaryPath();
   TemporaryPath(const TemporaryPath&) = delete;
   TemporaryPath& operator=(const TemporaryPath&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
+  const OutputPath& path() const { return path_; }
 
-  // Gives it its final name, in one step.
-  std::error_code RenameTo(const std::filesystem::path& path);
+  // Gives it its final name, in the same folder and in one step. Returns 0, or errno.
+  int RenameTo(const std::string& name);
 
  private:
-  std::filesystem::path path_;
+  friend void AbandonWrites();
+
+  OutputPath path_;
   bool is_renamed_ = false;
+  WritableFolder folder_;  // last: others see all of the object once it is made
 };
 
 // Removes the temporary paths of all threads. From now on, other threads block forever when they

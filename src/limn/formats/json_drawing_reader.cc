@@ -1,10 +1,12 @@
 #include "limn/formats/json_drawing_reader.h"
 
+#include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -297,8 +299,10 @@ DrawingFile ReadDrawingJson(const std::string& path) {
 }
 
 std::string RefinedCamerasOfDrawing(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return "";
   std::string head(kMaxHeadBytes, ' ');
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in = OpenFile(path);
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
   const std::string key = std::string("\"") + kRefinedCameras + "\": \"";
   const size_t at = head.find(key);

@@ -253,10 +253,10 @@ CurveSet CurvesOf(const std::vector<LimapLine>& lines) {
 }
 
 template <typename Items, typename Pass>
-void WriteRecords(const Items& items, const fs::path& path, const Pass& pass) {
+void WriteRecords(const Items& items, const OutputPath& path, const Pass& pass) {
   BinaryLimapWriter writer;
   pass(writer, items);
-  WriteFileAtomically(path.string(), writer.bytes());
+  WriteFileAtomically(path, writer.bytes());
 }
 
 }  // namespace
@@ -306,7 +306,7 @@ CurveSet ReadLimapTracks(const std::string& path) {
   return CurvesOf(ReadRecords<TextLimapReader, std::vector<LimapLine>>(path, pass));
 }
 
-void WriteLimapStructures(const LimapStructures& structures, const fs::path& folder) {
+void WriteLimapStructures(const LimapStructures& structures, const OutputPath& folder) {
   WriteRecords(structures.images, folder / "structures2d.bin",
                [](auto& writer, const auto& images) { PassImages(writer, images); });
   WriteRecords(structures.lines, folder / "lines3D.bin",

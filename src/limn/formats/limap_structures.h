@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "limn/files/output_path.h"
 #include "limn/model/curve_set.h"
 
 namespace limn {
@@ -106,8 +107,8 @@ CurveSet ReadLimapLines(const std::string& path);
 // alltracks.txt of LIMAP 1:
 CurveSet ReadLimapTracks(const std::string& path);
 
-// Writes the four binary files into a folder that exists. The same structures give the same bytes.
-// Throws IoError.
-void WriteLimapStructures(const LimapStructures& structures, const std::filesystem::path& folder);
+// Writes the four binary files into a folder, which is made if it is missing. The same structures
+// give the same bytes. Throws IoError.
+void WriteLimapStructures(const LimapStructures& structures, const OutputPath& folder);
 
 }  // namespace limn

@@ -157,14 +157,14 @@ std::vector<std::string> DrawingFormats() {
   return names;
 }
 
-std::vector<std::string> WriteDrawing(const std::string& path, const DrawingGraph& graph,
+std::vector<std::string> WriteDrawing(const OutputPath& path, const DrawingGraph& graph,
                                       const DrawingMetadata& metadata,
                                       const DrawingFormatOptions& options) {
   const std::vector<std::string> violations = Validate(graph);
   if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
   const std::string wrong = metadata.alignment ? Validate(*metadata.alignment) : "";
   if (!wrong.empty()) throw InputError("no valid alignment: " + wrong);
-  const Format& format = FormatOf(path, options);
+  const Format& format = FormatOf(path.string(), options);
   std::vector<std::string> left_out;
   WriteFileAtomically(path, [&](std::ostream& out) {
     format.write({graph, metadata, options, &left_out}, out);
@@ -172,11 +172,11 @@ std::vector<std::string> WriteDrawing(const std::string& path, const DrawingGrap
   return left_out;
 }
 
-void WriteSketch(const std::string& path, const CurveSketch& sketch) {
+void WriteSketch(const OutputPath& path, const CurveSketch& sketch) {
   WriteFileAtomically(path, [&](std::ostream& out) { WriteSketchPly(sketch, out); });
 }
 
-void WriteTracks(const std::string& path, const DrawingGraph& graph, const LinkSelection& selection,
+void WriteTracks(const OutputPath& path, const DrawingGraph& graph, const LinkSelection& selection,
                  const std::vector<View>& views) {
   WriteFileAtomically(path, [&](std::ostream& out) { WriteTracks(graph, selection, views, out); });
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/files/output_path.h"
 #include "limn/formats/dxf/dxf_drawing_writer.h"
 #include "limn/formats/glb_drawing_writer.h"
 #include "limn/formats/json_drawing_reader.h"
@@ -51,13 +52,13 @@ std::string DrawingFormatOf(const std::string& path, const DrawingFormatOptions&
 // Writes a drawing atomically. The same graph gives the same bytes. Throws IoError, also for an
 // unknown extension or format, or InputError if Validate finds something wrong with the graph or
 // its alignment. Returns a sentence for each thing that the format cannot hold.
-std::vector<std::string> WriteDrawing(const std::string& path, const DrawingGraph& graph,
+std::vector<std::string> WriteDrawing(const OutputPath& path, const DrawingGraph& graph,
                                       const DrawingMetadata& metadata,
                                       const DrawingFormatOptions& options = {});
 
 // WriteSketchPly and WriteTracks to a path, atomically.
-void WriteSketch(const std::string& path, const CurveSketch& sketch);
-void WriteTracks(const std::string& path, const DrawingGraph& graph, const LinkSelection& selection,
+void WriteSketch(const OutputPath& path, const CurveSketch& sketch);
+void WriteTracks(const OutputPath& path, const DrawingGraph& graph, const LinkSelection& selection,
                  const std::vector<View>& views);
 
 }  // namespace limn

@@ -11,6 +11,7 @@
 
 #include "limn/geometry/tangent_frame.h"
 #include "limn/util/median.h"
+#include "limn/util/quiet_solver.h"
 
 namespace limn {
 namespace {
@@ -114,6 +115,7 @@ std::optional<Eigen::Matrix<double, kUnknowns, kUnknowns>> Solve(
     const std::vector<OutlineSight>& sights, const MakeCost& make_cost,
     std::array<double, kUnknowns>* unknowns) {
   using Information = Eigen::Matrix<double, kUnknowns, kUnknowns>;
+  const QuietSolver quiet;
   ceres::Problem problem;
   for (const OutlineSight& sight : sights) {
     problem.AddResidualBlock(make_cost(sight), new ceres::HuberLoss(kOutlineRobustPx),

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
+#include <ostream>
 #include <string_view>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <zlib.h>
 
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
@@ -34,6 +35,24 @@ cv::Point FixedPoint(const Eigen::Vector2d& point) {
 
 cv::Scalar ScalarOf(const Color& color) {
   return {1. * color.red, 1. * color.green, 1. * color.blue};
+}
+
+// Signature and first chunk.
+constexpr size_t kPngHeaderBytes = 33;
+
+std::string BigEndian(uint32_t value) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFF);
+  return bytes;
+}
+
+std::string SoftwareChunk() {
+  constexpr size_t kKindBytes = 4;
+  const auto checksum = static_cast<uint32_t>(
+      crc32_z(0, reinterpret_cast<const Bytef*>(kPngOfLimn.data()), kPngOfLimn.size()));
+  return BigEndian(static_cast<uint32_t>(kPngOfLimn.size() - kKindBytes))
+      .append(kPngOfLimn)
+      .append(BigEndian(checksum));
 }
 
 uint8_t ToByte(double value) { return static_cast<uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5); }
@@ -100,18 +119,20 @@ void Canvas::DrawPolygon(const Eigen::Vector2d& center, const std::vector<Eigen:
   cv::fillConvexPoly(image, polygon, ScalarOf(color), cv::LINE_AA, kShift);
 }
 
-void WritePng(const std::string& path, const Picture& picture) {
+void WritePng(const OutputPath& path, const Picture& picture) {
   Picture copy = picture;
   cv::Mat bgr;
   cv::cvtColor(MatOf(&copy), bgr, cv::COLOR_RGB2BGR);
   std::vector<unsigned char> bytes;
-  if (!cv::imencode(".png", bgr, bytes)) throw IoError(path, "cannot encode the picture");
-  WriteFileAtomically(path,
-                      std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  if (!cv::imencode(".png", bgr, bytes)) throw IoError(path.string(), "cannot encode the picture");
+  const std::string_view png(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  WriteFileAtomically(path, [&](std::ostream& out) {
+    out << png.substr(0, kPngHeaderBytes) << SoftwareChunk() << png.substr(kPngHeaderBytes);
+  });
 }
 
-std::string PicturePath(const std::string& folder, const std::string& image_name) {
-  return (std::filesystem::path(folder) / (image_name + ".png")).string();
+OutputPath PicturePath(const OutputPath& folder, const std::string& image_name) {
+  return folder / (image_name + ".png");
 }
 
 }  // namespace limn

@@ -2,7 +2,10 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "limn/files/output_path.h"
 
 namespace limn {
 
@@ -15,12 +18,15 @@ struct Picture {
   const uint8_t* At(int x, int y) const { return &rgb[3 * (static_cast<size_t>(y) * width + x)]; }
 };
 
-// Writes a PNG atomically and creates missing folders (image names may contain folders). Throws
-// IoError.
-void WritePng(const std::string& path, const Picture& picture);
+// Writes a PNG atomically and creates missing folders (image names may contain folders). It begins
+// with kPngOfLimn after its header. Throws IoError.
+void WritePng(const OutputPath& path, const Picture& picture);
+
+// The kind and content of the chunk that tells who made a picture.
+constexpr std::string_view kPngOfLimn("tEXtSoftware\0limn", 17);
 
 // "sub/a.jpg" under "overlays" is "overlays/sub/a.jpg.png": two photographs never share a picture,
 // even if their names differ only in the extension.
-std::string PicturePath(const std::string& folder, const std::string& image_name);
+OutputPath PicturePath(const OutputPath& folder, const std::string& image_name);
 
 }  // namespace limn

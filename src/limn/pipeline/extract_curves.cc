@@ -106,7 +106,7 @@ class Extractor {
 
   void Store(CachedKind kind, const View& view, const std::string& key, const ImageCurves& curves) {
     input_.cache->Store(kind, view.name,
-                        [&](const std::string& path) { WriteImageCurves(path, curves, key); });
+                        [&](const OutputPath& path) { WriteImageCurves(path, curves, key); });
   }
 
   std::string EdgeKey(ViewId id) const { return input_.images.identity(id) + "\n" + edge_key_; }

@@ -96,7 +96,7 @@ std::string RecordKey(const PipelineOptions& options,
 }
 
 void KeepRecord(const SceneRecord& record, const std::string& key, ResultCache* cache) {
-  cache->Store(CachedKind::kScene, kRecordName, [&](const std::string& path) {
+  cache->Store(CachedKind::kScene, kRecordName, [&](const OutputPath& path) {
     WriteStageFile(path, StageKind::kSceneRecord, key, ToBytes(record));
   });
 }

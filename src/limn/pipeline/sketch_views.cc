@@ -56,7 +56,7 @@ class SketchStore {
   void Save(ViewId view, const ViewPlan& plan, const ViewDepths& depths,
             const std::vector<Curve3D>& curves) const {
     const SketchIdentity identity = IdentityOf(view, plan);
-    cache_.Store(CachedKind::kSketch, NameOf(view), [&](const std::string& path) {
+    cache_.Store(CachedKind::kSketch, NameOf(view), [&](const OutputPath& path) {
       WriteViewSketch(path, depths, curves, identity.views, input_.scene.curves, identity.key);
     });
   }

@@ -118,7 +118,7 @@ class TileDrawer {
 
   void Keep(size_t index, const SceneSubset& scene, const std::string& key,
             const DrawingGraph& graph) const {
-    input_.cache->Store(CachedKind::kDrawing, TileName(index), [&](const std::string& path) {
+    input_.cache->Store(CachedKind::kDrawing, TileName(index), [&](const OutputPath& path) {
       std::ostringstream text;
       WriteDrawingJson(graph, {NamesOf(scene.views)}, text);
       WriteStageFile(path, StageKind::kDrawing, key, text.str());

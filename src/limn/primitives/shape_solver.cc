@@ -1,5 +1,7 @@
 #include "limn/primitives/shape_solver.h"
 
+#include "limn/util/quiet_solver.h"
+
 namespace limn {
 
 void SolveShape(ceres::Problem* problem, int max_iterations) {
@@ -10,6 +12,7 @@ void SolveShape(ceres::Problem* problem, int max_iterations) {
   options.num_threads = 1;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
+  const QuietSolver quiet;
   ceres::Solve(options, problem, &summary);
 }
 

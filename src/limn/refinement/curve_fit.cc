@@ -10,6 +10,7 @@
 
 #include "limn/refinement/pull_cost.h"
 #include "limn/refinement/selected_inverse.h"
+#include "limn/util/quiet_solver.h"
 #include "limn/util/union_find.h"
 
 namespace limn {
@@ -242,6 +243,7 @@ double SquaredBend(const Bend& bend, const RefinementOptions& options,
 
 void FitCurves(const std::vector<View>& views, const RefinementOptions& options,
                const RunContext& context, bool with_covariances, ControlGraph* control) {
+  const QuietSolver quiet;
   UpdateTangents(control);
   const std::vector<Eigen::Vector3d> before = control->position;
   const std::vector<Component> components = FindComponents(*control);

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <ceres/ceres.h>
 
+#include "limn/util/quiet_solver.h"
+
 namespace limn {
 namespace {
 
@@ -136,6 +138,7 @@ class RegularFit {
   }
 
   RegularShapes Solve() {
+    const QuietSolver quiet;
     for (const double weight : kWeights) {
       ceres::Problem problem;
       AddEvidence(&problem);

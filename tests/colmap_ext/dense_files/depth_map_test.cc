@@ -86,7 +86,7 @@ TEST(DepthMap, Case31_FilesKnowTheirKind) {
   EXPECT_THAT(ErrorText<IoError>([&] { ReadNormalMap(dir / "depth.bin"); }),
               HasSubstr("not a normal map"));
   EXPECT_THROW(ReadDepthMap(dir / "none.bin"), IoError);
-  EXPECT_THROW(WriteFloatMap(MakeMap(1), dir / "no" / "depth.bin"), IoError);
+  EXPECT_THROW(WriteFloatMap(MakeMap(1), dir / "depth.bin" / "depth.bin"), IoError);
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ TEST(NewModelFolder, NewAndEmptyFoldersAreFilled) {
     ExpectSameModel(ReadModel(dir / name), MakeModel());
   }
   EXPECT_TRUE(fs::exists(dir / "empty" / "images.bin"));
-  EXPECT_FALSE(fs::exists(dir / "slash.tmp"));
-  EXPECT_FALSE(fs::exists(dir / "slash" / ".tmp"));
+  EXPECT_FALSE(fs::exists(dir / "slash.limn-tmp"));
+  EXPECT_FALSE(fs::exists(dir / "slash" / ".limn-tmp"));
 }
 
 TEST(NewModelFolder, OthersAreLeftAlone) {
@@ -46,7 +46,16 @@ TEST(NewModelFolder, OthersAreLeftAlone) {
   dir.WriteFile("file", "");
   EXPECT_THAT(error("file"), HasSubstr("file: is not a folder"));
   EXPECT_THAT(error("file/below"), HasSubstr("file"));
-  EXPECT_FALSE(fs::exists(dir / "full.tmp"));
+  EXPECT_FALSE(fs::exists(dir / "full.limn-tmp"));
+}
+
+TEST(NewModelFolder, WhatIsInTheWayOfTheTemporaryFolderIsNotFollowed) {
+  const TempDir dir;
+  const std::string victim = dir.WriteFile("other/images.bin", "mine");
+  fs::create_directory_symlink(dir / "other", dir / "model.limn-tmp");
+  WriteNewModel(MakeModel(), dir / "model", ModelFlavor::kBinary);
+  EXPECT_EQ(fs::file_size(victim), 4u);
+  EXPECT_FALSE(fs::is_symlink(dir / "model"));
 }
 
 TEST(NewModelFolder, NothingIsLeftOfAnAbandonedOne) {
@@ -66,8 +75,9 @@ TEST(NewModelFolder, NothingIsLeftOfAnAbandonedOne) {
         AbandonWrites();
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         const fs::directory_iterator folders(dir.path());
-        _exit(std::any_of(begin(folders), end(folders),
-                          [](const auto& entry) { return entry.path().extension() == ".tmp"; }));
+        _exit(std::any_of(begin(folders), end(folders), [](const auto& entry) {
+          return entry.path().extension() == ".limn-tmp";
+        }));
       },
       ::testing::ExitedWithCode(0), "");
 }

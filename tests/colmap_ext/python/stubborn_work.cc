@@ -23,7 +23,7 @@ void Work(double seconds, const std::filesystem::path& file, RunMonitor* monitor
   ++num_working;
   std::optional<TemporaryPath> half_written;
   if (!file.empty()) {
-    half_written.emplace(file, [](const std::filesystem::path& path) { std::ofstream(path) << 1; });
+    half_written.emplace(file, [&](const auto&, const auto&) { std::ofstream(file) << 1; });
   }
   monitor->SetProgress("stubborn", 0, 1);
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));

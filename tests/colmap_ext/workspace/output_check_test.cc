@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include "colmap_ext/temp_dir.h"
+#include "limn/files/whole_file.h"
+#include "limn/pictures/picture.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -26,9 +28,22 @@ TEST(CheckWritable, RefusesFilesAndDeadLinksInTheWay) {
   const TempDir dir;
   const std::string file = dir.WriteFile("file", "");
   std::filesystem::create_symlink("/nowhere/at/all", dir / "link");
-  for (const std::string& path : {file, file + "/folder", (dir / "link").string()}) {
+  for (const OutputPath& path :
+       {OutputPath(file), OutputPath(file + "/folder"), OutputPath(dir / "link", ""),
+        OutputPath(dir / "link", "curves")}) {
     EXPECT_THAT(ErrorText<IoError>([&] { CheckWritable(path); }), HasSubstr("is not a folder"));
   }
+}
+
+TEST(CheckWritable, FollowsLinksThatTheUserNamedAndNoOthers) {
+  const TempDir dir;
+  std::filesystem::create_directories(dir / "other/curves");
+  std::filesystem::create_directory_symlink("other", dir / "link");
+  CheckWritable({dir / "link", "curves"});
+  EXPECT_THAT(ErrorText<IoError>([&] {
+                CheckWritable({dir.path(), "link/curves"});
+              }),
+              HasSubstr((dir / "link").string() + ": is a link to other"));
 }
 
 TEST(CheckWritable, RefusesReadOnlyFolders) {
@@ -71,27 +86,17 @@ TEST(CheckResultFile, RefusesWhatLimnHasNotMade) {
               HasSubstr("is a folder"));
 }
 
-TEST(CheckLinkedCurves, RefusesFoldersOfOthers) {
+TEST(CheckResultFile, PicturesOfLimnAreKnown) {
   const TempDir dir;
-  const auto refusal = [&] {
-    return ErrorText<IoError>([&] { CheckLinkedCurves(dir / "curves"); });
-  };
-  EXPECT_EQ(refusal(), "");
-  std::filesystem::create_directory(dir / "other");
-  std::filesystem::create_directory_symlink("other", dir / "curves");
-  EXPECT_EQ(refusal(), "");
-  dir.WriteFile("other/.lock", "");
-  EXPECT_EQ(refusal(), "");
-  dir.WriteFile("other/notes", "");
-  EXPECT_EQ(refusal(), (dir / "curves").string() + ": is a link to " + (dir / "other").string() +
-                           ", which holds other files than results of limn: link an empty folder, "
-                           "or choose another --output_path");
-  std::filesystem::create_directories(dir / "other/cache/fragments");
-  EXPECT_EQ(refusal(), "");
-  std::filesystem::remove_all(dir / "other/cache");
-  EXPECT_NE(refusal(), "");
-  dir.WriteFile("other/tracks.txt", "# Curve tracks: links of drawing.json and so on\n");
-  EXPECT_EQ(refusal(), "");
+  const Picture picture{1, 1, {10, 20, 30}};
+  WritePng(dir / "ours.png", picture);
+  CheckResultFile(dir / "ours.png", false);
+  // The same without who made it.
+  std::string bytes = ReadWholeFile((dir / "ours.png").string());
+  bytes.erase(33, 12 + std::string("Software=limn").size());
+  dir.WriteFile("photo.png", bytes);
+  EXPECT_THAT(ErrorText<IoError>([&] { CheckResultFile(dir / "photo.png", false); }),
+              HasSubstr("was not made by limn"));
 }
 
 TEST(CheckNamedOutput, RefusesInputsModelsAndDrawings) {
@@ -105,7 +110,7 @@ TEST(CheckNamedOutput, RefusesInputsModelsAndDrawings) {
     return ErrorText<IoError>([&] { CheckNamedOutput(path, {"", input}, overwrite); });
   };
   EXPECT_THAT(refusal(input, false), HasSubstr("is an input"));
-  EXPECT_THAT(refusal((dir / "link.ply").string(), false), HasSubstr("is an input"));
+  EXPECT_THAT(refusal((dir / "link.ply").string(), true), HasSubstr("is a link to input.ply"));
   EXPECT_THAT(refusal(model, false), HasSubstr("is a file of a model"));
   EXPECT_THAT(refusal(drawing, false), HasSubstr("is a drawing"));
   EXPECT_EQ(refusal(other, false), "");

@@ -92,17 +92,33 @@ TEST(OutputLock, FollowsNoLink) {
     fs::create_directories(dir / "curves");
     fs::create_symlink(target, dir / "curves/.lock");
     EXPECT_THAT(Refusal(dir / "curves", LockMode::kExclusive),
-                AllOf(HasSubstr((dir / "curves/.lock").string()), HasSubstr("symbolic link")));
+                AllOf(HasSubstr((dir / "curves/.lock").string()), HasSubstr("is a link to")));
     fs::remove(dir / "curves/.lock");
   }
   EXPECT_EQ(fs::file_size(victim), 6u);
   EXPECT_FALSE(fs::exists(dir / "dangling"));
 }
 
+TEST(OutputLock, LeavesFilesOfOthersAlone) {
+  const TempDir dir;
+  const std::string victim = dir.WriteFile("victim", "");
+  fs::create_directories(dir / "curves");
+  fs::create_hard_link(victim, dir / "curves/.lock");
+  EXPECT_THAT(Refusal(dir / "curves", LockMode::kExclusive),
+              HasSubstr("is not a lock file of limn"));
+  fs::remove(dir / "curves/.lock");
+  dir.WriteFile("curves/.lock", "a text");
+  EXPECT_NE(Refusal(dir / "curves", LockMode::kExclusive), "");
+  EXPECT_EQ(fs::file_size(dir / "curves/.lock"), 6u);
+  fs::remove_all(dir / "curves");
+  fs::create_directory_symlink(dir.path(), dir / "curves");
+  EXPECT_THAT(Refusal(dir / "curves", LockMode::kExclusive), HasSubstr("curves: is a link to"));
+}
+
 TEST(OutputLock, DoesNotWaitForAPipe) {
   const TempDir dir;
   ASSERT_EQ(mkfifo((dir / ".lock").c_str(), 0666), 0);
-  EXPECT_THAT(Refusal(dir.path(), LockMode::kExclusive), HasSubstr("is not a regular file"));
+  EXPECT_THAT(Refusal(dir.path(), LockMode::kExclusive), HasSubstr("is not a lock file of limn"));
 }
 
 TEST(OutputLock, TellsWhyTheFileCannotBeMade) {

@@ -1,5 +1,6 @@
 #include "limn/files/atomic_file.h"
 
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
@@ -26,7 +27,9 @@ int64_t NumFiles(const std::string& path) {
   return std::distance(begin(files), end(files));
 }
 
-void MakeFolder(const std::filesystem::path& path) { std::filesystem::create_directory(path); }
+void MakeFolder(const WritableFolder& folder, const std::string& name) {
+  ASSERT_EQ(mkdirat(folder.descriptor(), name.c_str(), 0777), 0);
+}
 
 TEST(WriteFileAtomically, MakesFoldersAndReplaces) {
   const TemporaryFolder folder;
@@ -86,15 +89,15 @@ TEST(WriteFileAtomically, ADiskWithoutRoomIsNamedWithTheFile) {
 }
 
 // What writing there says, which must leave it as it is.
-std::string RefusalToWrite(const std::string& path) {
-  const auto before = std::filesystem::symlink_status(path);
+std::string RefusalToWrite(const OutputPath& path) {
+  const auto before = std::filesystem::symlink_status(path.string());
   std::string text;
   try {
     WriteFileAtomically(path, "x");
   } catch (const IoError& error) {
     text = error.what();
   }
-  EXPECT_EQ(std::filesystem::symlink_status(path).type(), before.type()) << path;
+  EXPECT_EQ(std::filesystem::symlink_status(path.string()).type(), before.type());
   return text;
 }
 
@@ -116,6 +119,90 @@ TEST(WriteFileAtomically, PutsNoFileInThePlaceOfDevicesPipesAndFolders) {
   EXPECT_EQ(RefusalToWrite(folder.Path("folder")),
             folder.Path("folder") + ": cannot write: is a folder, not a file");
   EXPECT_EQ(NumFiles(pipe), 4);
+}
+
+TEST(WriteFileAtomically, ReplacesNoLink) {
+  const TemporaryFolder folder;
+  const std::string mine = folder.Write("mine", "mine");
+  std::filesystem::create_symlink("mine", folder.Path("link"));
+  std::filesystem::create_symlink("nowhere", folder.Path("dangling"));
+  std::filesystem::create_symlink("loop", folder.Path("loop"));
+  for (const char* name : {"link", "dangling", "loop"}) {
+    EXPECT_TRUE(
+        RefusalToWrite(folder.Path(name)).starts_with(folder.Path(name) + ": is a link to "))
+        << name;
+  }
+  EXPECT_EQ(TemporaryFolder::Read(mine), "mine");
+  EXPECT_EQ(NumFiles(mine), 4);
+  // The other name keeps the old bytes.
+  std::filesystem::create_hard_link(mine, folder.Path("hard"));
+  WriteFileAtomically(folder.Path("hard"), "ours");
+  EXPECT_EQ(TemporaryFolder::Read(mine), "mine");
+}
+
+TEST(WriteFileAtomically, FollowsLinksOnlyToTheFolderThatWasNamed) {
+  const TemporaryFolder folder;
+  WriteFileAtomically(folder.Path("pictures/mine"), "mine");
+  WriteFileAtomically(folder.Path("project/curves/file"), "ours");
+  std::filesystem::create_directory_symlink("project", folder.Path("named"));
+  std::filesystem::create_directory_symlink("../../pictures", folder.Path("project/curves/link"));
+  const OutputPath curves(folder.Path("named"), "curves");
+  WriteFileAtomically(curves / "new/file", "new");
+  EXPECT_EQ(TemporaryFolder::Read(folder.Path("project/curves/new/file")), "new");
+  for (const char* below : {"link/mine", "link/new/file", "link"}) {
+    EXPECT_TRUE(RefusalToWrite(curves / below)
+                    .starts_with(folder.Path("named/curves/link") +
+                                 ": is a link to ../../pictures, and nothing"))
+        << below;
+  }
+  EXPECT_NE(RefusalToWrite(curves / "../../../pictures/mine"), "");
+  EXPECT_NE(RefusalToWrite(curves / folder.Path("pictures/mine")), "");
+  EXPECT_EQ(TemporaryFolder::Read(folder.Path("pictures/mine")), "mine");
+  EXPECT_EQ(NumFiles(folder.Path("pictures/mine")), 1);
+}
+
+// A folder is exchanged for a link and back while files are written into it.
+TEST(WriteFileAtomically, NoMomentLeadsItThroughALink) {
+  const TemporaryFolder folder;
+  WriteFileAtomically(folder.Path("other/file"), "mine");
+  WriteFileAtomically(folder.Path("out/inner/file"), "ours");
+  const auto inner = folder.Path("out/inner"), aside = folder.Path("out/aside");
+  std::atomic<bool> is_over = false;
+  std::thread exchange([&] {
+    while (!is_over) {
+      std::error_code ignored;
+      std::filesystem::rename(inner, aside, ignored);
+      std::filesystem::create_directory_symlink("../other", inner, ignored);
+      std::filesystem::remove_all(inner, ignored);
+      std::filesystem::rename(aside, inner, ignored);
+    }
+  });
+  const OutputPath file(folder.Path("out"), "inner/file");
+  int num_written = 0;
+  for (int i = 0; i < 2000; ++i) {
+    try {
+      WriteFileAtomically(file, "ours");
+      ++num_written;
+    } catch (const IoError&) {
+      continue;  // it met the link
+    }
+  }
+  is_over = true;
+  exchange.join();
+  EXPECT_GT(num_written, 0);
+  EXPECT_EQ(TemporaryFolder::Read(folder.Path("other/file")), "mine");
+  EXPECT_EQ(NumFiles(folder.Path("other/file")), 1);
+}
+
+TEST(CheckHoldsNoLinks, FindsThemAtAnyDepth) {
+  const TemporaryFolder folder;
+  WriteFileAtomically(folder.Path("out/curves/cache/sketch/a.bin"), "");
+  std::filesystem::create_symlink("/nowhere", folder.Path("out/curves/0123.limn-tmp"));
+  const OutputPath curves(folder.Path("out"), "curves");
+  CheckHoldsNoLinks(curves);
+  CheckHoldsNoLinks(curves / "missing");
+  std::filesystem::create_symlink("a.bin", folder.Path("out/curves/cache/sketch/b.bin"));
+  EXPECT_THROW(CheckHoldsNoLinks(curves), IoError);
 }
 
 TEST(CheckTakesFile, FindsLongNamesAndFilesInPlaceOfFolders) {
@@ -186,7 +273,7 @@ TEST(TemporaryPath, GoesAwayUnlessItIsRenamed) {
     WriteFileAtomically(path + ".tmp/inside", "no result yet");
     EXPECT_EQ(NumRenamed(), num_before);
     if (!renames) continue;
-    EXPECT_FALSE(temporary.RenameTo(path));
+    EXPECT_EQ(temporary.RenameTo("model"), 0);
   }
   EXPECT_EQ(NumFiles(path), 1);
   EXPECT_TRUE(std::filesystem::is_directory(path));

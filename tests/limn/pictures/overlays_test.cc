@@ -254,11 +254,11 @@ TEST(DrawOverlay, BadInputIsRefused) {
 
 TEST(WritePng, ComesBackAndKeepsFolders) {
   const TemporaryFolder folder;
-  EXPECT_EQ(PicturePath("overlays", "sub/a.jpg"), "overlays/sub/a.jpg.png");
+  EXPECT_EQ(PicturePath("overlays", "sub/a.jpg").string(), "overlays/sub/a.jpg.png");
   Picture picture{2, 1, {10, 20, 30, 40, 50, 60}};
-  const std::string path = PicturePath(folder.Path("overlays"), "sub/a.jpg");
+  const OutputPath path = PicturePath(folder.Path("overlays"), "sub/a.jpg");
   WritePng(path, picture);
-  const cv::Mat read = cv::imread(path, cv::IMREAD_COLOR);
+  const cv::Mat read = cv::imread(path.string(), cv::IMREAD_COLOR);
   ASSERT_EQ(read.cols, 2);
   EXPECT_EQ(read.at<cv::Vec3b>(0, 1), cv::Vec3b(60, 50, 40));  // OpenCV's order is blue, green, red
 }
