@@ -38,7 +38,8 @@ struct PlyHeader {
   int num_lines = 0;
 };
 
-// Throws IoError with path, line and reason.
+// Throws IoError with path, line and reason; also if the header has more than 4 MB, 256 elements or
+// 4,096 properties of an element.
 PlyHeader ParsePlyHeader(const std::string& path, std::string_view bytes);
 
 }  // namespace limn
