@@ -163,7 +163,7 @@ void BindScene(py::module_* module) {
           "t", [](const SceneCamera& c) { return CopyOf(c.cam_from_world.translation); },
           "3 translation from the model to the camera, in the model's unit.")
       .def_property_readonly(
-          "center", [](const SceneCamera& c) { return CopyOf(-(c.cam_from_world.rotation.conjugate() * c.cam_from_world.translation)); },
+          "center", [](const SceneCamera& c) { return CopyOf(Inverse(c.cam_from_world).translation); },
           "3 position of the camera, in the model's unit.")
       .def_property_readonly(
           "has_lens", [](const SceneCamera& c) { return c.has_lens; },
