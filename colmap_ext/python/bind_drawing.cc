@@ -160,7 +160,7 @@ Eigen::Vector3d ToVector3(const std::array<double, 3>& numbers) {
 }
 
 py::tuple PickledBody(const RoundBody& body) {
-  return CallOf(OwnFunction("_round_body"),
+  return CallOf(PickleFunction("round_body"),
                 py::make_tuple(RoundShapeName(body.shape), Numbers(body.start), Numbers(body.end),
                                body.start_radius, body.end_radius, body.radius_sigma, body.rms_px));
 }
@@ -181,7 +181,7 @@ RoundBody ToBody(const std::string& shape, const std::array<double, 3>& start,
 py::tuple PickledDrawing(const Owner& drawing) {
   const std::string text =
       RunFree(py::none(), [drawing](RunMonitor*) { return DrawingAsJson(*drawing); });
-  return CallOf(OwnFunction("_drawing"), py::make_tuple(py::bytes(text)));
+  return CallOf(PickleFunction("drawing"), py::make_tuple(py::bytes(text)));
 }
 
 Owner ToDrawing(const py::bytes& text) {

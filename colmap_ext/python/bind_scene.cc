@@ -53,7 +53,7 @@ py::tuple PickledCamera(const SceneCamera& c) {
   const CameraNumbers pinhole = {c.camera.fx, c.camera.fy, c.camera.cx, c.camera.cy};
   const CameraNumbers turn = {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
   const std::array<double, 3> shift = {translation.x(), translation.y(), translation.z()};
-  return CallOf(OwnFunction("_camera"), py::make_tuple(c.name, c.camera.width, c.camera.height,
+  return CallOf(PickleFunction("camera"), py::make_tuple(c.name, c.camera.width, c.camera.height,
                                                        pinhole, turn, shift, c.has_lens));
 }
 
@@ -78,7 +78,7 @@ SceneCamera ToCamera(const std::string& name, int width, int height, const Camer
 py::tuple PickledScene(const OpenScene& scene) {
   py::dict options;
   for (const auto& [name, text] : OptionsOfFolder(scene)) options[py::str(name)] = py::bytes(text);
-  return CallOf(OwnFunction("open"), py::make_tuple(options, py::none()));
+  return CallOf(PickleFunction("scene"), py::make_tuple(options));
 }
 
 }  // namespace
@@ -95,7 +95,9 @@ py::tuple CallOf(const py::object& function, const py::tuple& arguments) {
   return py::make_tuple(function, arguments);
 }
 
-py::object OwnFunction(const char* name) { return py::module_::import("limn._limn").attr(name); }
+py::object PickleFunction(const char* name) {
+  return py::module_::import("limn._pickles").attr(name);
+}
 
 py::list WarningsOf(const RunLog& log) {
   py::list warnings;

@@ -43,8 +43,8 @@ pybind11::str LineOf(const std::string& text);
 // A pickle is a call: of the function that makes an object again, with what it is made from.
 pybind11::tuple CallOf(const pybind11::object& function, const pybind11::tuple& arguments);
 
-// A function of this module.
-pybind11::object OwnFunction(const char* name);
+// A function of limn._pickles.
+pybind11::object PickleFunction(const char* name);
 
 // The index of Python's item i of n; negative ones count from the end. Raises IndexError.
 size_t IndexOf(pybind11::ssize_t i, size_t n);

@@ -81,7 +81,7 @@ void MemoryModel::AddView(const std::string& name, const Eigen::Matrix3d& calibr
 }
 
 void MemoryModel::CheckRoomFor(const std::string& name, ImageSize size, uint64_t num_bytes) const {
-  AsInputErrors([&] { CheckDecodable(name, size, made_.options.view.max_image_size); });
+  AsInputErrors([&] { CheckDecodable("image " + name, size, made_.options.view.max_image_size); });
   const std::optional<double> available = AvailableMemory();
   if (!available || static_cast<double>(num_bytes) <= *available) return;
   throw InputError("image " + name + ": its copy takes " + std::to_string(num_bytes >> 20) +
