@@ -257,7 +257,7 @@ ON_FILES = [
                   export('svg', '--view', 'top', '--dense_path', '{dir}/ws/fused.ply')], ['fused.ply']),
     (layered_mesh, [FUSE + ['--dense_type', 'mesh'], export('svg', '--view', 'top', '--dense_path', '{dir}/ws/meshed-poisson.ply'),
                     ['truth_extractor', '--workspace_path', '{dir}/ws', '--mesh_path', '{dir}/ws/meshed-poisson.ply',
-                     '--output_path', '{dir}/out/truth.ply', '--num_threads', '2']], ['meshed-poisson.ply', 'triangles', 'mesh']),
+                     '--output_path', '{dir}/out/truth.ply', '--num_threads', '2']], ['meshed-poisson.ply', 'triangles', 'mesh', 'truth', 'curves']),
     (same_points, [FUSE + ['--dense_type', 'fused'], export('svg', '--view', 'top', '--dense_path', '{dir}/ws/fused.ply')],
      ['fused.ply', 'points'])]
 

@@ -52,7 +52,6 @@ constexpr std::array<TypeName, 16> kTypeNames = {{{"char", PlyType::kInt8},
                                                   {"float64", PlyType::kFloat64}}};
 
 // Far more than any program writes: splats have some sixty properties.
-constexpr size_t kMaxHeaderBytes = size_t{1} << 22;
 constexpr size_t kMaxElements = 256;
 constexpr size_t kMaxProperties = 4096;  // of an element
 
@@ -60,8 +59,8 @@ class HeaderParser {
  public:
   HeaderParser(std::string path, std::string_view bytes)
       : path_(std::move(path)),
-        bytes_(bytes.substr(0, kMaxHeaderBytes)),
-        is_cut_(bytes.size() > kMaxHeaderBytes) {}
+        bytes_(bytes.substr(0, kMaxPlyHeaderBytes)),
+        is_cut_(bytes.size() > kMaxPlyHeaderBytes) {}
 
   PlyHeader Run() {
     if (NextLine() != "ply") Fail("not a PLY file");
@@ -96,7 +95,7 @@ class HeaderParser {
     const size_t end = bytes_.find('\n', at_);
     ++header_.num_lines;
     if (end == std::string_view::npos) {
-      Fail(is_cut_ ? "the header has more than " + std::to_string(kMaxHeaderBytes) + " bytes"
+      Fail(is_cut_ ? "the header has more than " + std::to_string(kMaxPlyHeaderBytes) + " bytes"
                    : "the file ends within the header");
     }
     std::string_view line = bytes_.substr(at_, end - at_);
