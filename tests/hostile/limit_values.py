@@ -247,7 +247,7 @@ def cases(seed, count):
             change = chooser.choice(DRAWING_CHANGES)
             command = command_on_drawing(chooser)
             yield hostile.Case(f'{change.__doc__.split(".")[0]}: {command[0]}', edit_drawing(change), [command], drawn=True,
-                               names=['drawing.json', 'exporter', 'drawing'], data={'export': command[0] == 'drawing_exporter'})
+                               names=['drawing.json', 'drawing', 'curves'], data={'export': command[0] == 'drawing_exporter'})
         elif kind < 0.92:
             yield hostile.Case(change_edits.__doc__.split('.')[0], change_edits, [EDIT], names=['edits.json'], drawn=True)
         else:

@@ -294,6 +294,7 @@ class DrawingReader {
     DrawingMetadata& metadata = file_.metadata;
     const JsonValue options = root.At("options");
     options.ExpectObject();
+    options.ItemsOf("edits");  // later edits are added to them
     metadata.options_json = options.Json().dump();
     metadata.refined_cameras = root.TextOr(kRefinedCameras, "");
     if (const auto alignment = root.Find("world_from_model")) {

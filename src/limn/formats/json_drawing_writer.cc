@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/files/json_text.h"
 #include "limn/files/json_value.h"
 #include "limn/formats/json_faces.h"
 #include "limn/geometry/polyline.h"
@@ -176,7 +177,7 @@ Json ToJson(const DrawingLink& link, size_t id, LinkId curve,
 }
 
 Json ParseOptions(const std::string& text) {
-  const Json options = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const Json options = ParseJson("options of the drawing", text);
   if (!options.is_object()) throw InputError("the options of a drawing must be a JSON object");
   return options;
 }
