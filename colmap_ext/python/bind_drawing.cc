@@ -241,8 +241,9 @@ void BindItems(py::module_* module, const char* name, const char* attribute, con
            })
       .def("__getitem__",
            [size](const Items<Item>& items, const py::slice& slice) {
-             return SliceOf(slice, size(*items.drawing),
-                            [&](size_t i) { return Item{items.drawing, i}; });
+             return SliceOf(slice, size(*items.drawing), [&](size_t i) {
+               return Item{items.drawing, i};
+             });
            })
       .def("__len__", [size](const Items<Item>& items) { return size(*items.drawing); })
       .def("__iter__", IterateSequence);

@@ -167,8 +167,9 @@ void BindImageCurves(py::module_* module) {
            })
       .def("__getitem__",
            [](const std::shared_ptr<SceneSketch>& sketch, const py::slice& slice) {
-             return SliceOf(slice, sketch->in_model->curves.size(),
-                            [&](size_t i) { return SketchCurve{sketch, i}; });
+             return SliceOf(slice, sketch->in_model->curves.size(), [&](size_t i) {
+               return SketchCurve{sketch, i};
+             });
            })
       .def("__len__", [](const SceneSketch& sketch) { return sketch.in_model->curves.size(); })
       .def("__iter__", IterateSequence)

@@ -127,11 +127,10 @@ std::shared_ptr<OpenScene> Open(MemoryModel* model, const std::filesystem::path&
                                 bool half_pixels, const py::object& progress) {
   const auto centers = half_pixels ? PixelCenters::kHalf : PixelCenters::kInteger;
   auto taken = std::make_shared<SparseModel>(model->TakeModel(centers));
-  return RunFree(progress,
-                 [taken, image_path, photos = model->TakePhotos(),
-                  made = model->made()](RunMonitor* monitor) {
-                   return OpenMemory(std::move(*taken), image_path, photos, made, monitor);
-                 });
+  return RunFree(progress, [taken, image_path, photos = model->TakePhotos(),
+                            made = model->made()](RunMonitor* monitor) {
+    return OpenMemory(std::move(*taken), image_path, photos, made, monitor);
+  });
 }
 
 }  // namespace

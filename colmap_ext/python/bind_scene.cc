@@ -54,12 +54,11 @@ py::tuple PickledCamera(const SceneCamera& c) {
   const CameraNumbers turn = {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
   const std::array<double, 3> shift = {translation.x(), translation.y(), translation.z()};
   return CallOf(PickleFunction("camera"), py::make_tuple(c.name, c.camera.width, c.camera.height,
-                                                       pinhole, turn, shift, c.has_lens));
+                                                         pinhole, turn, shift, c.has_lens));
 }
 
 SceneCamera ToCamera(const std::string& name, int width, int height, const CameraNumbers& pinhole,
-                     const CameraNumbers& turn, const std::array<double, 3>& shift,
-                     bool has_lens) {
+                     const CameraNumbers& turn, const std::array<double, 3>& shift, bool has_lens) {
   SceneCamera c;
   c.name = name;
   c.camera.fx = pinhole[0];
@@ -142,10 +141,11 @@ ViewId ViewNamed(const std::vector<View>& views, const std::string& name) {
 
 void BindScene(py::module_* module) {
   module->def("_camera", ToCamera);
-  py::class_<SceneCamera>(*module, "Camera",
-                   "A pinhole camera with a pose: x_px = K (R X + t). The center of the top-left "
-                   "pixel is (0, 0). Of a camera with a lens, the virtual pinhole camera that its "
-                   "image is mapped to.")
+  py::class_<SceneCamera>(
+      *module, "Camera",
+      "A pinhole camera with a pose: x_px = K (R X + t). The center of the top-left "
+      "pixel is (0, 0). Of a camera with a lens, the virtual pinhole camera that its "
+      "image is mapped to.")
       .def_property_readonly(
           "name", [](const SceneCamera& c) { return c.name; }, "Name of the image.")
       .def_property_readonly(
@@ -165,7 +165,8 @@ void BindScene(py::module_* module) {
           "t", [](const SceneCamera& c) { return CopyOf(c.cam_from_world.translation); },
           "3 translation from the model to the camera, in the model's unit.")
       .def_property_readonly(
-          "center", [](const SceneCamera& c) { return CopyOf(Inverse(c.cam_from_world).translation); },
+          "center",
+          [](const SceneCamera& c) { return CopyOf(Inverse(c.cam_from_world).translation); },
           "3 position of the camera, in the model's unit.")
       .def_property_readonly(
           "has_lens", [](const SceneCamera& c) { return c.has_lens; },
@@ -180,7 +181,9 @@ void BindScene(py::module_* module) {
       .def_property_readonly("names", NamesOf, "Names of the images, sorted.")
       .def_property_readonly(
           "cameras",
-          [](const OpenScene& scene) { return CamerasOf(Moved(scene.scene.views(), scene.scene.origin())); },
+          [](const OpenScene& scene) {
+            return CamerasOf(Moved(scene.scene.views(), scene.scene.origin()));
+          },
           "A camera per image, in the order of the names.")
       .def_property_readonly(
           "warnings", [](const OpenScene& scene) { return WarningsOf(scene.made.log); },

@@ -10,8 +10,8 @@
 namespace limn::colmap_ext {
 
 // One function per part of the module; classes before the functions that take or return them.
-// Python makes no instances of the classes (Seal), and copies of what cannot be changed are the same
-// object. Drawings and what is in them, cameras and scenes of folders can be pickled.
+// Python makes no instances of the classes (Seal), and copies of what cannot be changed are the
+// same object. Drawings and what is in them, cameras and scenes of folders can be pickled.
 void BindErrors();
 void BindScene(pybind11::module_* module);
 void BindImageCurves(pybind11::module_* module);

@@ -152,7 +152,8 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
   if (!options.update && metadata.view_names != Metadata(project, "{}").view_names) {
     refuse("is a drawing of other images");
   }
-  const Json old_options = PresentOptions(ParseJson("options of the drawing", metadata.options_json));
+  const Json old_options =
+      PresentOptions(ParseJson("options of the drawing", metadata.options_json));
   const Json new_options = Json::parse(provenance);
   // Whatever the order of keys.
   const Json difference = Json::diff(old_options, new_options);

@@ -48,7 +48,9 @@ void Restrict(sqlite3* handle, int* num_calls) {
   }
   sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kMaxValueBytes);
   sqlite3_limit(handle, SQLITE_LIMIT_SQL_LENGTH, kMaxValueBytes);
-  const auto count_call = [](void* calls) { return ++*static_cast<int*>(calls) > kMaxCalls ? 1 : 0; };
+  const auto count_call = [](void* calls) {
+    return ++*static_cast<int*>(calls) > kMaxCalls ? 1 : 0;
+  };
   sqlite3_progress_handler(handle, kStepsPerCall, count_call, num_calls);
 }
 
@@ -142,14 +144,17 @@ class Rows {
 
 // Views and virtual tables are programs; they have no pages. None of the name is no table, either.
 bool IsTable(const Database& database, const std::string& name) {
-  Rows rows(database, "SELECT type, rootpage FROM sqlite_master WHERE type IN ('table', 'view') "
-                      "AND name = '" + name + "' COLLATE NOCASE");
+  Rows rows(database,
+            "SELECT type, rootpage FROM sqlite_master WHERE type IN ('table', 'view') "
+            "AND name = '" +
+                name + "' COLLATE NOCASE");
   bool is_table = false;
   while (rows.Next()) {
     is_table = true;
     if (rows.Text(0) == "table" && rows.Int(1) > 0) continue;
-    throw IoError(database.path(), name + " is a view or a virtual table, not a table as COLMAP "
-                                          "makes them: nothing of it is run");
+    throw IoError(database.path(), name +
+                                       " is a view or a virtual table, not a table as COLMAP "
+                                       "makes them: nothing of it is run");
   }
   return is_table;
 }

@@ -56,10 +56,12 @@ class JsonBuilder : public nlohmann::json_sax<Json> {
     const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(position, text_.size()));
     const std::string line = "line " + std::to_string(1 + std::count(text_.begin(), end, '\n'));
     if (error.id == kOutOfRange) {
-      throw IoError(path_, line, "a number is too large: " + Printable(token.substr(0, kShownBytes)));
+      throw IoError(path_, line,
+                    "a number is too large: " + Printable(token.substr(0, kShownBytes)));
     }
     if (position > text_.size()) throw IoError(path_, line, "the JSON text ends too early");
-    const std::string shown = Printable(token.substr(token.size() - std::min(token.size(), kShownBytes)));
+    const std::string shown =
+        Printable(token.substr(token.size() - std::min(token.size(), kShownBytes)));
     throw IoError(path_, line, "is not valid JSON, at \"" + shown + "\"");
   }
 
@@ -100,8 +102,8 @@ class JsonBuilder : public nlohmann::json_sax<Json> {
     Json& closed = *open_.back();
     open_.pop_back();
     const bool is_item = take_ && open_.size() == 2 && root_.is_object() && open_[1]->is_array();
-    if (is_item && take_(root_.get_ref<const Json::object_t&>().back().first,
-                         JsonValue(closed, root_))) {
+    if (is_item &&
+        take_(root_.get_ref<const Json::object_t&>().back().first, JsonValue(closed, root_))) {
       closed = nullptr;
     }
     return true;

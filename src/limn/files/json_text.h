@@ -24,8 +24,7 @@ using TakeJsonItem = std::function<bool(const std::string& list, const JsonValue
 // one name in an object, more than `max_values`, or is nested more than 100 deep (the JSON library
 // writes and copies recursively); and InputError of `take`.
 nlohmann::ordered_json ParseJson(const std::string& path, const std::string& text,
-                                 size_t max_values = kMaxJsonValues,
-                                 const TakeJsonItem& take = {});
+                                 size_t max_values = kMaxJsonValues, const TakeJsonItem& take = {});
 
 // Call it in a handler of std::exception: rethrows InputErrors as IoError with the file's name.
 // Other exceptions propagate.

@@ -71,9 +71,10 @@ JsonValue JsonValue::At(const char* name) const {
 std::vector<JsonValue> JsonValue::Items(size_t min, size_t max) const {
   if (!value_->is_array()) Fail("a list expected");
   if (value_->size() < min || value_->size() > max) {
-    const std::string expected = min == max        ? std::to_string(min)
-                                 : max == kNoLimit ? std::to_string(min) + " or more"
-                                                   : std::to_string(min) + " to " + std::to_string(max);
+    const std::string expected = min == max ? std::to_string(min)
+                                 : max == kNoLimit
+                                     ? std::to_string(min) + " or more"
+                                     : std::to_string(min) + " to " + std::to_string(max);
     Fail("a list of " + expected + " expected, not of " + std::to_string(value_->size()));
   }
   std::vector<JsonValue> items;

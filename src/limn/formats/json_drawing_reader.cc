@@ -39,13 +39,12 @@ Alignment ToAlignment(const JsonValue& value) {
   const std::vector<JsonValue> rows = value.At("rotation").Items(3, 3);
   for (int row = 0; row < 3; ++row) similarity.rotation.row(row) = PlaceOf(rows[row]).transpose();
   similarity.translation = PlaceOf(value.At("translation"));
-  alignment.up =
-      ToSource(value.At("up_from"),
-               {UpSource::kGravity, UpSource::kPositions, UpSource::kLines, UpSource::kCameras});
+  alignment.up = ToSource(value.At("up_from"), {UpSource::kGravity, UpSource::kPositions,
+                                                UpSource::kLines, UpSource::kCameras});
   alignment.axes = ToSource(value.At("axes_from"),
                             {AxesSource::kLines, AxesSource::kPositions, AxesSource::kModel});
-  alignment.scale = ToSource(value.At("scale_from"), {ScaleSource::kNone, ScaleSource::kLengths,
-                                                      ScaleSource::kPositions});
+  alignment.scale = ToSource(value.At("scale_from"),
+                             {ScaleSource::kNone, ScaleSource::kLengths, ScaleSource::kPositions});
   const std::string broken = Validate(alignment);
   if (!broken.empty()) value.Fail(broken);
   if (value.At("unit").Text() != alignment.Unit()) {
@@ -171,8 +170,8 @@ Regularities ToRegularities(const JsonValue& value) {
         {PlaceOf(of.At("direction")), IntegersOf(of.At("orthogonal_to").Items())});
   }
   for (const JsonValue& of : value.At("planes").Items()) {
-    regularities.planes.push_back({PlaceOf(of.At("normal")), of.At("offset").Number(),
-                                   IndexOf(of, "normal_direction")});
+    regularities.planes.push_back(
+        {PlaceOf(of.At("normal")), of.At("offset").Number(), IndexOf(of, "normal_direction")});
   }
   regularities.radii = value.At("radii").Numbers();
   for (const JsonValue& of : value.At("axes").Items()) {
@@ -204,7 +203,8 @@ DrawingLink ToLink(const JsonValue& value, const JsonViewIds& view_ids) {
   if (const auto evidence = value.Find("evidence")) link.evidence = evidence->Number();
   link.confidence = value.NumberOr("confidence", -1);
   // Drawings of earlier versions have no kinds.
-  if (const auto kind = value.Find("kind")) link.kind = NamedBy(*kind, LinkKindNamed, "kind of link");
+  if (const auto kind = value.Find("kind"))
+    link.kind = NamedBy(*kind, LinkKindNamed, "kind of link");
   link.kind_confidence = value.NumberOr("kind_confidence", 0);
   link.rod_radius = value.NumberOr("rod_radius", 0);
   if (const auto body = value.Find("body")) link.body = ToRoundBody(*body);

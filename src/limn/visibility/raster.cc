@@ -50,7 +50,8 @@ RasterWork::RasterWork(const DepthImage& image, size_t num_items) {
   constexpr size_t kMaxLayers = 100;
   constexpr size_t kLittleWork = 100'000'000;
   constexpr size_t kPixelsOfItem = 50;
-  left_ = std::max(kLittleWork, kMaxLayers * image.width * image.height) + kPixelsOfItem * num_items;
+  left_ =
+      std::max(kLittleWork, kMaxLayers * image.width * image.height) + kPixelsOfItem * num_items;
 }
 
 void RasterWork::Add(size_t num_pixels) {

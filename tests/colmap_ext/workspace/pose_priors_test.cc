@@ -121,18 +121,21 @@ TEST_F(PosePriorsTest, BadValuesAreNamed) {
 // An endless program in place of a table.
 TEST_F(PosePriorsTest, NothingOfTheSchemaIsRun) {
   const std::string endless =
-      "WITH RECURSIVE r(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM r) SELECT i AS image_id, NULL AS"
+      "WITH RECURSIVE r(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM r) SELECT i AS image_id, NULL "
+      "AS"
       " position, 1 AS coordinate_system FROM r";
   WriteDatabase(path_, DatabaseVersion::k3_10, {{"a", {1, 2, 3}}});
   RunSql(path_, "DROP TABLE pose_priors; CREATE VIEW pose_priors AS " + endless);
   EXPECT_THAT(ErrorOf(path_), HasSubstr("pose_priors is a view or a virtual table"));
   // A view that says that it is a table.
-  RunSql(path_, "PRAGMA writable_schema = 1; UPDATE sqlite_master SET type = 'table', rootpage = 2 "
-                "WHERE name = 'pose_priors'");
+  RunSql(path_,
+         "PRAGMA writable_schema = 1; UPDATE sqlite_master SET type = 'table', rootpage = 2 "
+         "WHERE name = 'pose_priors'");
   EXPECT_THAT(ErrorOf(path_), StartsWith(path_ + ": "));
   RunSql(path_, "PRAGMA writable_schema = 1; DELETE FROM sqlite_master WHERE name = 'pose_priors'");
-  RunSql(path_, "CREATE TABLE pose_priors (image_id INTEGER PRIMARY KEY, position AS "
-                "(zeroblob(900000000)), coordinate_system INTEGER)");
+  RunSql(path_,
+         "CREATE TABLE pose_priors (image_id INTEGER PRIMARY KEY, position AS "
+         "(zeroblob(900000000)), coordinate_system INTEGER)");
   EXPECT_THAT(ErrorOf(path_), HasSubstr("column position of pose_priors is computed"));
 }
 
@@ -142,10 +145,12 @@ TEST_F(PosePriorsTest, WorkAndLengthsHaveLimits) {
   EXPECT_THAT(ErrorOf(path_), HasSubstr("has a value of more than 1048576 bytes"));
   // All rows of one table fit all of the other.
   RunSql(path_,
-         "DROP TABLE images; DROP TABLE pose_priors; CREATE TABLE images (image_id INTEGER, name TEXT);"
+         "DROP TABLE images; DROP TABLE pose_priors; CREATE TABLE images (image_id INTEGER, name "
+         "TEXT);"
          "CREATE TABLE pose_priors (image_id INTEGER, position BLOB, coordinate_system INTEGER);"
          "WITH RECURSIVE r(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM r LIMIT 30000)"
-         "INSERT INTO images SELECT 1, 'x' FROM r; INSERT INTO pose_priors SELECT 1, NULL, 1 FROM images");
+         "INSERT INTO images SELECT 1, 'x' FROM r; INSERT INTO pose_priors SELECT 1, NULL, 1 FROM "
+         "images");
   EXPECT_THAT(ErrorOf(path_), HasSubstr("takes more work than any database of COLMAP"));
 }
 

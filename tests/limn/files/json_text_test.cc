@@ -71,8 +71,8 @@ TEST(ParseJson, ItemsThatAreTakenLeaveNull) {
     taken.push_back(item.Place() + " = " + item.Json().dump());
     return list == "a";
   };
-  const auto left = ParseJson("a.json", R"({"a": [{"x": [1]}, [2], 3], "b": [[4]], "c": {"d": []}})",
-                              kMaxJsonValues, take);
+  const auto left = ParseJson(
+      "a.json", R"({"a": [{"x": [1]}, [2], 3], "b": [[4]], "c": {"d": []}})", kMaxJsonValues, take);
   EXPECT_THAT(taken, ElementsAre(R"(a[0] = {"x":[1]})", "a[1] = [2]", "b[0] = [4]"));
   EXPECT_EQ(left.dump(), R"({"a":[null,null,3],"b":[[4]],"c":{"d":[]}})");
 }

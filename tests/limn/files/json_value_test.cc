@@ -58,15 +58,13 @@ TEST(JsonValue, ComplaintsNameThePlaceAndTheTypeExpected) {
   EXPECT_EQ(SaidOf("{}", list), "a list expected");
   EXPECT_EQ(SaidOf("3", [](const JsonValue& value) { value.At("x"); }), "an object expected");
   EXPECT_EQ(SaidOf("{}", [](const JsonValue& value) { value.At("x"); }), "no \"x\"");
-  EXPECT_EQ(SaidOf(R"({"a": [{"b": [0, "x"]}]})",
-                   [](const JsonValue& value) {
-                     value.At("a").Items()[0].At("b").Items()[1].Number();
-                   }),
-            "a[0].b[1]: a number expected");
-  EXPECT_EQ(SaidOf(R"({"k": "soap"})", [](const JsonValue& value) {
-              value.At("k").FailUnknown("kind");
-            }),
-            "k: unknown kind \"soap\"");
+  EXPECT_EQ(
+      SaidOf(R"({"a": [{"b": [0, "x"]}]})",
+             [](const JsonValue& value) { value.At("a").Items()[0].At("b").Items()[1].Number(); }),
+      "a[0].b[1]: a number expected");
+  EXPECT_EQ(
+      SaidOf(R"({"k": "soap"})", [](const JsonValue& value) { value.At("k").FailUnknown("kind"); }),
+      "k: unknown kind \"soap\"");
 }
 
 TEST(JsonValue, TakesIntegersInRangeOnly) {
