@@ -8,7 +8,6 @@
 
 #include "colmap_ext/import/calibration.h"
 #include "limn/files/json_text.h"
-#include "limn/files/json_value.h"
 #include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
@@ -17,32 +16,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Json = nlohmann::ordered_json;
+
 const std::vector<std::string> kTransformsEnds = {"transforms.json", "transforms_train.json",
                                                   "transforms_test.json", "transforms_val.json"};
 
 // An entry of a frame, or of the whole file.
 class Entries {
  public:
-  Entries(const JsonValue& frame, const JsonValue& file) : frame_(frame), file_(file) {}
+  Entries(const Json& frame, const Json& file) : frame_(frame), file_(file) {}
 
-  std::optional<JsonValue> Find(const char* key) const {
-    for (const JsonValue& value : {frame_, file_}) {
-      const auto found = value.Find(key);
-      if (found && !found->IsNull()) return found;
+  const Json* Find(const char* key) const {
+    for (const Json* json : {&frame_, &file_}) {
+      const auto found = json->find(key);
+      if (found != json->end() && !found->is_null()) return &*found;
     }
-    return std::nullopt;
+    return nullptr;
   }
   std::optional<double> Number(const char* key) const {
-    const auto found = Find(key);
-    return found ? std::optional(found->Number()) : std::nullopt;
+    const Json* found = Find(key);
+    return found ? std::optional(found->get<double>()) : std::nullopt;
   }
   double NumberOr(const char* key, double otherwise) const {
     return Number(key).value_or(otherwise);
   }
 
  private:
-  JsonValue frame_;
-  JsonValue file_;
+  const Json& frame_;
+  const Json& file_;
 };
 
 void CheckSize(const Entries& entries, const FoundImage& image, const FilePlace& place) {
@@ -63,11 +64,11 @@ std::optional<double> Focal(const Entries& entries, const char* focal_key, const
 }
 
 bool IsFisheye(const Entries& entries, const FilePlace& place) {
-  const auto fisheye = entries.Find("is_fisheye");
-  if (fisheye && fisheye->Bool()) return true;
-  const auto model = entries.Find("camera_model");
+  const Json* fisheye = entries.Find("is_fisheye");
+  if (fisheye && fisheye->get<bool>()) return true;
+  const Json* model = entries.Find("camera_model");
   if (!model) return false;
-  const std::string& name = model->Text();
+  const auto name = model->get<std::string>();
   if (name == "OPENCV_FISHEYE") return true;
   for (const char* known : {"PINHOLE", "SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV"}) {
     if (name == known) return false;
@@ -110,13 +111,14 @@ Camera ReadCamera(const Entries& entries, const FoundImage& image, const FilePla
   return camera;
 }
 
-Rigid3d ReadPose(const JsonValue& matrix, const FilePlace& place) {
-  const std::vector<JsonValue> rows = matrix.Items(3, 4);
+Rigid3d ReadPose(const Json& matrix, const FilePlace& place) {
+  if (matrix.size() != 3 && matrix.size() != 4) place.Fail("transform_matrix must be 4 x 4");
   Eigen::Matrix4d world_from_cam = Eigen::Matrix4d::Identity();
-  for (size_t row = 0; row < rows.size(); ++row) {
-    Eigen::RowVector4d numbers;
-    rows[row].Numbers(4, numbers.data());
-    world_from_cam.row(static_cast<Eigen::Index>(row)) = numbers;
+  for (int row = 0; row < static_cast<int>(matrix.size()); ++row) {
+    if (matrix.at(row).size() != 4) place.Fail("transform_matrix must be 4 x 4");
+    for (int column = 0; column < 4; ++column) {
+      world_from_cam(row, column) = matrix.at(row).at(column).get<double>();
+    }
   }
   if (!(world_from_cam.row(3).transpose() - Eigen::Vector4d::UnitW()).isZero(1e-9)) {
     place.Fail("the last row of transform_matrix is not 0 0 0 1");
@@ -126,13 +128,13 @@ Rigid3d ReadPose(const JsonValue& matrix, const FilePlace& place) {
   return Inverse({RotationFromMatrix(rotation, place), world_from_cam.topRightCorner<3, 1>()});
 }
 
-std::string ImageName(const JsonValue& frame) {
-  const std::string& name = frame.At("file_path").Text();
+std::string ImageName(const Json& frame) {
+  const auto name = frame.at("file_path").get<std::string>();
   return fs::path(name).has_extension() ? name : name + ".png";
 }
 
-std::optional<ImportedImage> ReadFrame(const JsonValue& frame, const JsonValue& file,
-                                       const FilePlace& place, ImageFolder* images) {
+std::optional<ImportedImage> ReadFrame(const Json& frame, const Json& file, const FilePlace& place,
+                                       ImageFolder* images) {
   const auto found = images->Find(ImageName(frame), fs::path(place.path).parent_path(), place);
   if (!found) return std::nullopt;
   ImportedImage image;
@@ -141,24 +143,21 @@ std::optional<ImportedImage> ReadFrame(const JsonValue& frame, const JsonValue& 
   image.number = place.number;
   image.name = found->name;
   image.camera = ReadCamera(Entries(frame, file), *found, place);
-  image.cam_from_world = ReadPose(frame.At("transform_matrix"), place);
+  image.cam_from_world = ReadPose(frame.at("transform_matrix"), place);
   return image;
 }
 
-ImportedScene ToScene(const std::string& path, const JsonValue& file, ImageFolder* images) {
-  ImportedScene scene;
-  scene.notes = {"Read " + path};
-  const std::vector<JsonValue> frames = file.At("frames").Items();
-  if (file.BoolOr("from_na", false)) {
-    throw IoError(path, "\"from_na\" is true: the axes of NeuS2 are not read");
+Json Parse(const std::string& path) {
+  try {
+    const Json file = ParseJson(path, ReadWholeFile(path, kMaxJsonBytes));
+    if (!file.at("frames").is_array()) throw IoError(path, "\"frames\" is not a list");
+    if (file.value("from_na", false)) {
+      throw IoError(path, "\"from_na\" is true: the axes of NeuS2 are not read");
+    }
+    return file;
+  } catch (const Json::exception& error) {
+    throw IoError(path, error.what());
   }
-  if (file.Find("ply_file_path")) scene.notes.push_back("The points of its .ply are not read");
-  uint64_t number = 0;
-  for (const JsonValue& frame : frames) {
-    auto image = ReadFrame(frame, file, {path, "frame", number++}, images);
-    if (image) scene.images.push_back(std::move(*image));
-  }
-  return scene;
 }
 
 }  // namespace
@@ -171,12 +170,21 @@ bool HoldsNerfTransforms(const fs::path& path) {
 
 ImportedScene ReadNerfTransforms(const ImportInput& input) {
   const std::string path = TheFile(input.path, kTransformsEnds).string();
-  try {
-    const auto json = ParseJson(path, ReadWholeFile(path, kMaxJsonBytes));
-    return ToScene(path, JsonValue(json), input.images);
-  } catch (const std::exception&) {
-    RethrowJsonError(path);
+  const Json file = Parse(path);
+  ImportedScene scene;
+  scene.notes = {"Read " + path};
+  if (file.contains("ply_file_path")) scene.notes.push_back("The points of its .ply are not read");
+  uint64_t number = 0;
+  for (const Json& frame : file.at("frames")) {
+    const FilePlace place{path, "frame", number++};
+    try {
+      auto image = ReadFrame(frame, file, place, input.images);
+      if (image) scene.images.push_back(std::move(*image));
+    } catch (const Json::exception& error) {
+      place.Fail(error.what());
+    }
   }
+  return scene;
 }
 
 }  // namespace limn::colmap_ext

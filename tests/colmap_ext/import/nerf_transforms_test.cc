@@ -11,7 +11,7 @@ namespace limn::colmap_ext {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::AnyOf;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
@@ -130,24 +130,22 @@ TEST_F(NerfTransforms, BadFilesAreRefused) {
     Json file = File(known_);
     file["frames"][1][key] = value;
     const std::string error = ErrorWith(file);
-    EXPECT_THAT(error, AnyOf(HasSubstr("transforms.json: frame 1: "),
-                             HasSubstr("transforms.json: frames[1].")))
-        << key;
+    EXPECT_THAT(error, HasSubstr("transforms.json: frame 1: ")) << key;
     return error;
   };
   EXPECT_THAT(error_with("file_path", "images/none.png"),
               HasSubstr("image \"images/none.png\" is not in the image folder"));
-  EXPECT_THAT(error_with("file_path", 7), HasSubstr("frames[1].file_path: a text expected"));
+  EXPECT_THAT(error_with("file_path", 7), HasSubstr("type must be string"));
   EXPECT_THAT(error_with("w", 641),
               HasSubstr("image \"img_2.png\" has 640 x 480 pixels, but w and h are 641 and 480"));
   EXPECT_THAT(error_with("k4", 0.1), HasSubstr("a k4 without fisheye"));
   EXPECT_THAT(error_with("camera_model", "EQUIRECTANGULAR"), HasSubstr("is not known"));
   EXPECT_THAT(error_with("fl_x", -600), HasSubstr("the focal length is not positive"));
-  EXPECT_THAT(error_with("fl_x", "600"), HasSubstr("frames[1].fl_x: a number expected"));
+  EXPECT_THAT(error_with("fl_x", "600"), HasSubstr("type must be number"));
   EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}}),
-              HasSubstr("transform_matrix: a list of 3 to 4 expected, not of 2"));
+              HasSubstr("transform_matrix must be 4 x 4"));
   EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1}}),
-              HasSubstr("transform_matrix[2]: a list of 4 numbers expected"));
+              HasSubstr("transform_matrix must be 4 x 4"));
   EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}}),
               HasSubstr("the rotation matrix is none"));
   EXPECT_THAT(
@@ -155,7 +153,7 @@ TEST_F(NerfTransforms, BadFilesAreRefused) {
       HasSubstr("the last row of transform_matrix"));
   Json file = File(known_);
   file["frames"][2].erase("transform_matrix");
-  EXPECT_THAT(ErrorWith(file), HasSubstr("frames[2]: no \"transform_matrix\""));
+  EXPECT_THAT(ErrorWith(file), AllOf(HasSubstr("frame 2"), HasSubstr("transform_matrix")));
   file = File(known_);
   file.erase("fl_x");
   EXPECT_THAT(ErrorWith(file), HasSubstr("frame 0: neither fl_x nor camera_angle_x"));
@@ -163,14 +161,14 @@ TEST_F(NerfTransforms, BadFilesAreRefused) {
   file["from_na"] = true;
   EXPECT_THAT(ErrorWith(file), HasSubstr("the axes of NeuS2"));
   file["frames"] = 5;
-  EXPECT_THAT(ErrorWith(file), HasSubstr("frames: a list expected"));
+  EXPECT_THAT(ErrorWith(file), HasSubstr("\"frames\" is not a list"));
   EXPECT_THAT(ErrorWith(Json::object()), HasSubstr("frames"));
   const std::string text = File(known_).dump();
   EXPECT_THAT(Error(kNerfTransformsFormat,
                     dir_.WriteFile("transforms.json", text.substr(0, text.size() / 2))),
-              HasSubstr("transforms.json: line "));
+              HasSubstr("transforms.json: line 1: "));
   EXPECT_THAT(Error(kNerfTransformsFormat, dir_.WriteFile("transforms.json", "{\"fl_x\": nan}")),
-              HasSubstr("is not valid JSON"));
+              HasSubstr("transforms.json: line 1: "));
 }
 
 }  // namespace
