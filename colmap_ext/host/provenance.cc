@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/files/json_text.h"
+
 namespace limn::colmap_ext {
 namespace {
 
@@ -20,7 +22,7 @@ std::string Provenance(const RunOptions& options) {
 
 std::string ProvenanceAfter(const std::string& before, const ProvenanceKeys& keys,
                             const RunOptions& options) {
-  Json json = Json::parse(before);
+  Json json = ParseJson("options of the drawing", before);
   const Json now = Json::parse(OptionsAsJson(options.pipeline));
   for (const char* key : keys.taken) {
     if (now.contains(key)) {
@@ -34,7 +36,7 @@ std::string ProvenanceAfter(const std::string& before, const ProvenanceKeys& key
 }
 
 bool HasBox(const std::string& provenance) {
-  const Json json = Json::parse(provenance);
+  const Json json = ParseJson("options of the drawing", provenance);
   return json.contains("box") && !json["box"].empty();
 }
 

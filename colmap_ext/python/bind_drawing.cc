@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -48,12 +49,12 @@ struct Face {
 };
 
 struct Primitive {
-  Owner drawing;
-  const LinkPrimitive* primitive;
+  Link link;
 
+  const LinkPrimitive& Get() const { return *link.Get().primitive; }
   template <typename Shape>
   const Shape* As() const {
-    return std::get_if<Shape>(&primitive->shape);
+    return std::get_if<Shape>(&Get().shape);
   }
 };
 
@@ -130,15 +131,70 @@ py::dict TracksOf(const Link& link) {
 }
 
 std::optional<Primitive> PrimitiveOf(const Link& link) {
-  const auto& primitive = link.Get().primitive;
-  if (!primitive) return std::nullopt;
-  return Primitive{link.drawing, &*primitive};
+  if (!link.Get().primitive) return std::nullopt;
+  return Primitive{link};
 }
 
 std::optional<std::string> DenseClassOf(const Link& link) {
   const auto& dense = link.Get().dense;
   if (!dense) return std::nullopt;
   return DenseClassName(dense->dense_class);
+}
+
+// Of what an object has as an attribute.
+py::tuple AttributeOf(const py::object& object, const char* name) {
+  return CallOf(py::module_::import("builtins").attr("getattr"), py::make_tuple(object, name));
+}
+
+template <typename Item>
+py::tuple ItemOf(const Item& item, const char* items) {
+  return CallOf(py::module_::import("operator").attr("getitem"),
+                py::make_tuple(py::cast(item.drawing).attr(items), item.id));
+}
+
+std::array<double, 3> Numbers(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+Eigen::Vector3d ToVector3(const std::array<double, 3>& numbers) {
+  return Eigen::Map<const Eigen::Vector3d>(numbers.data());
+}
+
+py::tuple PickledBody(const RoundBody& body) {
+  return CallOf(PickleFunction("round_body"),
+                py::make_tuple(RoundShapeName(body.shape), Numbers(body.start), Numbers(body.end),
+                               body.start_radius, body.end_radius, body.radius_sigma, body.rms_px));
+}
+
+RoundBody ToBody(const std::string& shape, const std::array<double, 3>& start,
+                 const std::array<double, 3>& end, double start_radius, double end_radius,
+                 double radius_sigma, double rms_px) {
+  const auto known = RoundShapeNamed(shape);
+  if (!known) throw InputError("unknown shape of a body");
+  const RoundBody body = {*known,     ToVector3(start), ToVector3(end), start_radius,
+                          end_radius, radius_sigma,     rms_px};
+  const std::string broken = Validate(body);
+  if (!broken.empty()) throw InputError(broken);
+  return body;
+}
+
+// Without its scene: as it is saved and read.
+py::tuple PickledDrawing(const Owner& drawing) {
+  const std::string text =
+      RunFree(py::none(), [drawing](RunMonitor*) { return DrawingAsJson(*drawing); });
+  return CallOf(PickleFunction("drawing"), py::make_tuple(py::bytes(text)));
+}
+
+Owner ToDrawing(const py::bytes& text) {
+  return RunFree(py::none(),
+                 [text = std::string(text)](RunMonitor*) { return DrawingFromJson(text); });
+}
+
+// Of a drawing that has nothing else.
+py::tuple PickledAlignment(const Alignment& alignment) {
+  auto drawing = std::make_shared<SceneDrawing>();
+  drawing->metadata.options_json = "{}";
+  drawing->metadata.alignment = alignment;
+  return AttributeOf(py::cast(drawing), "alignment");
 }
 
 // A getter of a vector of one kind of shape; nothing for the others.
@@ -172,12 +228,22 @@ Owner SelectedLinks(const Owner& drawing, const std::string& kinds, bool tentati
 }
 
 template <typename Item>
-void BindItems(py::module_* module, const char* name, const char* text,
+void BindItems(py::module_* module, const char* name, const char* attribute, const char* text,
                size_t (*size)(const SceneDrawing&)) {
   py::class_<Items<Item>>(*module, name, text)
+      .def("__reduce__",
+           [attribute](const Items<Item>& items) {
+             return AttributeOf(py::cast(items.drawing), attribute);
+           })
       .def("__getitem__",
            [size](const Items<Item>& items, py::ssize_t i) {
              return Item{items.drawing, IndexOf(i, size(*items.drawing))};
+           })
+      .def("__getitem__",
+           [size](const Items<Item>& items, const py::slice& slice) {
+             return SliceOf(slice, size(*items.drawing), [&](size_t i) {
+               return Item{items.drawing, i};
+             });
            })
       .def("__len__", [size](const Items<Item>& items) { return size(*items.drawing); })
       .def("__iter__", IterateSequence);
@@ -202,6 +268,7 @@ void BindRoundBody(py::module_* module) {
                     "Standard deviation of the mean radius.")
       .def_readonly("rms_px", &RoundBody::rms_px,
                     "Distance of the edges in the images from its outlines, root mean square, px.")
+      .def("__reduce__", PickledBody)
       .def("__repr__", [](const RoundBody& body) {
         return "<limn.RoundBody " + std::string(RoundShapeName(body.shape)) + ">";
       });
@@ -212,13 +279,13 @@ void BindPrimitive(py::module_* module) {
                         "The simplest curve that explains a link. What a kind of curve does not "
                         "have is None. Lengths are in the model's unit.")
       .def_property_readonly(
-          "type", [](const Primitive& p) { return std::string(ShapeName(p.primitive->shape)); },
+          "type", [](const Primitive& p) { return std::string(ShapeName(p.Get().shape)); },
           "'line', 'arc', 'circle' or 'spline'.")
       .def_property_readonly(
-          "rms_px", [](const Primitive& p) { return p.primitive->rms_px; },
+          "rms_px", [](const Primitive& p) { return p.Get().rms_px; },
           "Distance of the link's points from the curve in the images, root mean square, px.")
       .def_property_readonly(
-          "max_px", [](const Primitive& p) { return p.primitive->max_px; },
+          "max_px", [](const Primitive& p) { return p.Get().max_px; },
           "The largest of these distances, px.")
       .def_property_readonly("start", VectorOf(&LineSegment::start), "Line: 3 first point.")
       .def_property_readonly("end", VectorOf(&LineSegment::end), "Line: 3 last point.")
@@ -235,7 +302,7 @@ void BindPrimitive(py::module_* module) {
           [](const Primitive& p) -> std::optional<Array> {
             const CubicBSpline* spline = p.As<CubicBSpline>();
             if (!spline) return std::nullopt;
-            return NumbersOver(spline->knots, p.drawing);
+            return NumbersOver(spline->knots, p.link.drawing);
           },
           "Spline, of degree 3: K + 4 knots.")
       .def_property_readonly(
@@ -243,11 +310,13 @@ void BindPrimitive(py::module_* module) {
           [](const Primitive& p) -> std::optional<Array> {
             const CubicBSpline* spline = p.As<CubicBSpline>();
             if (!spline) return std::nullopt;
-            return PointsOver(spline->control_points, p.drawing);
+            return PointsOver(spline->control_points, p.link.drawing);
           },
           "Spline: K x 3 control points.")
+      .def("__reduce__",
+           [](const Primitive& p) { return AttributeOf(py::cast(p.link), "primitive"); })
       .def("__repr__", [](const Primitive& p) {
-        return "<limn.Primitive " + std::string(ShapeName(p.primitive->shape)) + ">";
+        return "<limn.Primitive " + std::string(ShapeName(p.Get().shape)) + ">";
       });
 }
 
@@ -324,6 +393,7 @@ void BindLink(py::module_* module) {
                              "not-a-number separate "
                              "visible parts.")
       .def("__len__", [](const Link& link) { return link.Get().points_in_world.size(); })
+      .def("__reduce__", [](const Link& link) { return ItemOf(link, "links"); })
       .def("__repr__", [](const Link& link) {
         return "<limn.Link " + std::to_string(link.id) + ": " + std::to_string(link.Get().size()) +
                " points>";
@@ -353,6 +423,7 @@ void BindAlignment(py::module_* module) {
       .def_property_readonly(
           "scale_from", [](const Alignment& a) { return SourceName(a.scale); },
           "The source of the scale: 'none', 'lengths' or 'positions'.")
+      .def("__reduce__", PickledAlignment)
       .def("__repr__", [](const Alignment& a) {
         return std::string("<limn.Alignment, up from ") + SourceName(a.up) + ", scale from " +
                SourceName(a.scale) + ">";
@@ -379,6 +450,7 @@ void BindNode(py::module_* module) {
             return ends;
           },
           "Pairs of a link's index and 0 for its first or 1 for its last point.")
+      .def("__reduce__", [](const Node& node) { return ItemOf(node, "nodes"); })
       .def("__repr__", [](const Node& node) {
         return "<limn.Node " + std::to_string(node.id) + ": " + NodeKindName(node.Get().kind) + ">";
       });
@@ -421,6 +493,7 @@ void BindFace(py::module_* module) {
       .def_property_readonly(
           "views", [](const Face& face) { return NamesOf(face.Get().views, *face.drawing); },
           "Names of the images that see it.")
+      .def("__reduce__", [](const Face& face) { return ItemOf(face, "faces"); })
       .def("__repr__", [](const Face& face) {
         return "<limn.Face " + std::to_string(face.id) + ": " +
                FaceSurfaceName(face.Get().surface) + ">";
@@ -433,17 +506,19 @@ py::object Interop(const char* name) { return py::module_::import("limn._interop
 }  // namespace
 
 void BindDrawing(py::module_* module) {
+  module->def("_drawing", ToDrawing);
+  module->def("_round_body", ToBody);
   BindRoundBody(module);
   BindPrimitive(module);
   BindLink(module);
   BindNode(module);
   BindFace(module);
   BindAlignment(module);
-  BindItems<Link>(module, "Links", "The links of a drawing, a sequence.",
+  BindItems<Link>(module, "Links", "links", "The links of a drawing, a sequence.",
                   [](const SceneDrawing& drawing) { return drawing.graph.links.size(); });
-  BindItems<Node>(module, "Nodes", "The nodes of a drawing, a sequence.",
+  BindItems<Node>(module, "Nodes", "nodes", "The nodes of a drawing, a sequence.",
                   [](const SceneDrawing& drawing) { return drawing.graph.nodes.size(); });
-  BindItems<Face>(module, "Faces", "The faces of a drawing, a sequence.",
+  BindItems<Face>(module, "Faces", "faces", "The faces of a drawing, a sequence.",
                   [](const SceneDrawing& drawing) { return drawing.graph.faces.size(); });
   py::class_<SceneDrawing, Owner>(*module, "Drawing",
                                   "A 3D drawing: curves in space (links) that meet at nodes.")
@@ -461,8 +536,8 @@ void BindDrawing(py::module_* module) {
       .def_property_readonly(
           "cameras",
           [](const SceneDrawing& drawing) {
-            if (!drawing.scene) return std::vector<View>();
-            return Moved(drawing.views, drawing.scene->scene.origin());
+            if (!drawing.scene) return std::vector<SceneCamera>();
+            return CamerasOf(Moved(drawing.views, drawing.scene->scene.origin()));
           },
           "The cameras that it fits, per image; empty for a drawing that was read without them.")
       .def_property_readonly(
@@ -511,6 +586,7 @@ void BindDrawing(py::module_* module) {
       .def(
           "to_open3d", [](const py::object& self) { return Interop("to_open3d")(self); },
           "An open3d.geometry.LineSet with a color per link. Raises ImportError without open3d.")
+      .def("__reduce__", PickledDrawing)
       .def("__repr__", [](const SceneDrawing& drawing) {
         return "<limn.Drawing of " + std::to_string(drawing.graph.links.size()) + " links and " +
                std::to_string(drawing.graph.nodes.size()) + " nodes>";

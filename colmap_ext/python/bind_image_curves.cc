@@ -165,6 +165,12 @@ void BindImageCurves(py::module_* module) {
              const size_t index = IndexOf(i, sketch->in_model->curves.size());
              return SketchCurve{std::move(sketch), index};
            })
+      .def("__getitem__",
+           [](const std::shared_ptr<SceneSketch>& sketch, const py::slice& slice) {
+             return SliceOf(slice, sketch->in_model->curves.size(), [&](size_t i) {
+               return SketchCurve{sketch, i};
+             });
+           })
       .def("__len__", [](const SceneSketch& sketch) { return sketch.in_model->curves.size(); })
       .def("__iter__", IterateSequence)
       .def_property_readonly(

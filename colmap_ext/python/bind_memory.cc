@@ -82,7 +82,8 @@ std::vector<Number> CopyValues(const py::array& array) {
   return {values.data(), values.data() + values.size()};
 }
 
-PhotoPixels ToPixels(const std::string& name, const py::array& array) {
+// Before anything looks at the values or copies them.
+void CheckPhoto(const MemoryModel& model, const std::string& name, const py::array& array) {
   const auto fail = [&](const std::string& why) { throw InputError("image " + name + ": " + why); };
   if (array.ndim() != 2 && !(array.ndim() == 3 && (array.shape(2) == 1 || array.shape(2) == 3))) {
     fail("must be an array of H x W or H x W x 3");
@@ -90,6 +91,15 @@ PhotoPixels ToPixels(const std::string& name, const py::array& array) {
   if (array.size() == 0 || std::max(array.shape(0), array.shape(1)) > 1'000'000) {
     fail("the size makes no sense");
   }
+  const ImageSize size = {static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0))};
+  model.CheckRoomFor(name, size, static_cast<uint64_t>(array.nbytes()));
+}
+
+// `white` is the level of white of floating-point numbers.
+PhotoPixels ToPixels(const MemoryModel& model, const std::string& name, const py::array& array,
+                     double white) {
+  CheckPhoto(model, name, array);
+  const auto fail = [&](const std::string& why) { throw InputError("image " + name + ": " + why); };
   PhotoPixels pixels;
   pixels.size = {static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0))};
   pixels.channels = array.ndim() == 3 ? static_cast<int>(array.shape(2)) : 1;
@@ -99,9 +109,13 @@ PhotoPixels ToPixels(const std::string& name, const py::array& array) {
     pixels.values = CopyValues<uint16_t>(array);
   } else if (array.dtype().kind() == 'f') {
     std::vector<float> values = CopyValues<float>(array);
+    const auto scale = static_cast<float>(1 / white);
+    for (float& value : values) value *= scale;
     const bool in_range = std::all_of(values.begin(), values.end(),
                                       [](float value) { return value >= 0 && value <= 1; });
-    if (!in_range) fail("floating-point values must be 0 to 1");
+    if (!in_range) {
+      fail("floating-point values must be 0 to 1, or, of all images of the scene, 0 to 255");
+    }
     pixels.values = std::move(values);
   } else {
     fail("values must be uint8, uint16 or floating-point");
@@ -110,21 +124,19 @@ PhotoPixels ToPixels(const std::string& name, const py::array& array) {
 }
 
 std::shared_ptr<OpenScene> Open(MemoryModel* model, const std::filesystem::path& image_path,
-                                bool half_pixels, const OptionTexts& options,
-                                const py::object& progress) {
+                                bool half_pixels, const py::object& progress) {
   const auto centers = half_pixels ? PixelCenters::kHalf : PixelCenters::kInteger;
   auto taken = std::make_shared<SparseModel>(model->TakeModel(centers));
-  return RunFree(progress,
-                 [taken, image_path, photos = model->TakePhotos(), options](RunMonitor* monitor) {
-                   return OpenMemory(std::move(*taken), image_path, photos, options, monitor);
-                 });
+  return RunFree(progress, [taken, image_path, photos = model->TakePhotos(),
+                            made = model->made()](RunMonitor* monitor) {
+    return OpenMemory(std::move(*taken), image_path, photos, made, monitor);
+  });
 }
 
 }  // namespace
 
 void BindMemory(py::module_* module) {
   py::class_<MemoryModel>(*module, "MemoryModel", "Cameras and images, for a Scene.")
-      .def(py::init<>())
       .def("add_camera", &MemoryModel::AddCamera, py::arg("id"), py::arg("model"), py::arg("width"),
            py::arg("height"), py::arg("params"))
       .def("add_image", AddImage, py::arg("id"), py::arg("camera_id"), py::arg("name"),
@@ -141,14 +153,17 @@ void BindMemory(py::module_* module) {
           },
           py::arg("name"), py::arg("K"), py::arg("R"), py::arg("t"), py::arg("width"),
           py::arg("height"))
+      .def("check_photo", CheckPhoto, py::arg("name"), py::arg("image"))
       .def(
           "add_photo",
-          [](MemoryModel* model, const std::string& name, const py::array& image) {
-            model->AddPhoto(name, ToPixels(name, image));
+          [](MemoryModel* model, const std::string& name, const py::array& image, double white) {
+            model->AddPhoto(name, ToPixels(*model, name, image, white));
           },
-          py::arg("name"), py::arg("image"))
-      .def("open", Open, py::arg("image_path"), py::arg("half_pixels"), py::arg("options"),
-           py::arg("progress"));
+          py::arg("name"), py::arg("image"), py::arg("white"))
+      .def("open", Open, py::arg("image_path"), py::arg("half_pixels"), py::arg("progress"));
+  module->def(
+      "memory_model", [](const OptionTexts& options) { return MemoryModel(options); },
+      py::arg("options"), "An empty one, for a scene with these options.");
 }
 
 }  // namespace limn::colmap_ext

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include <pybind11/pybind11.h>
@@ -44,7 +45,58 @@ py::array_t<float> ImageOf(std::shared_ptr<const OpenScene> scene, const std::st
   return array;
 }
 
+using CameraNumbers = std::array<double, 4>;
+
+// Focal lengths and principal point; the rotation as x, y, z, w.
+py::tuple PickledCamera(const SceneCamera& c) {
+  const auto& [rotation, translation] = c.cam_from_world;
+  const CameraNumbers pinhole = {c.camera.fx, c.camera.fy, c.camera.cx, c.camera.cy};
+  const CameraNumbers turn = {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
+  const std::array<double, 3> shift = {translation.x(), translation.y(), translation.z()};
+  return CallOf(PickleFunction("camera"), py::make_tuple(c.name, c.camera.width, c.camera.height,
+                                                         pinhole, turn, shift, c.has_lens));
+}
+
+SceneCamera ToCamera(const std::string& name, int width, int height, const CameraNumbers& pinhole,
+                     const CameraNumbers& turn, const std::array<double, 3>& shift, bool has_lens) {
+  SceneCamera c;
+  c.name = name;
+  c.camera.fx = pinhole[0];
+  c.camera.fy = pinhole[1];
+  c.camera.cx = pinhole[2];
+  c.camera.cy = pinhole[3];
+  c.camera.width = width;
+  c.camera.height = height;
+  c.cam_from_world.rotation = Eigen::Quaterniond(turn[3], turn[0], turn[1], turn[2]);
+  c.cam_from_world.translation = Eigen::Vector3d(shift[0], shift[1], shift[2]);
+  c.has_lens = has_lens;
+  return c;
+}
+
+// The folder is opened again.
+py::tuple PickledScene(const OpenScene& scene) {
+  py::dict options;
+  for (const auto& [name, text] : OptionsOfFolder(scene)) options[py::str(name)] = py::bytes(text);
+  return CallOf(PickleFunction("scene"), py::make_tuple(options));
+}
+
 }  // namespace
+
+std::vector<SceneCamera> CamerasOf(const std::vector<View>& views) {
+  std::vector<SceneCamera> cameras;
+  for (const View& view : views) {
+    cameras.push_back({view.name, view.camera, view.cam_from_world, view.lens != nullptr});
+  }
+  return cameras;
+}
+
+py::tuple CallOf(const py::object& function, const py::tuple& arguments) {
+  return py::make_tuple(function, arguments);
+}
+
+py::object PickleFunction(const char* name) {
+  return py::module_::import("limn._pickles").attr(name);
+}
 
 py::list WarningsOf(const RunLog& log) {
   py::list warnings;
@@ -88,35 +140,39 @@ ViewId ViewNamed(const std::vector<View>& views, const std::string& name) {
 }
 
 void BindScene(py::module_* module) {
-  py::class_<View>(*module, "Camera",
-                   "A pinhole camera with a pose: x_px = K (R X + t). The center of the top-left "
-                   "pixel is (0, 0). Of a camera with a lens, the virtual pinhole camera that its "
-                   "image is mapped to.")
+  module->def("_camera", ToCamera);
+  py::class_<SceneCamera>(
+      *module, "Camera",
+      "A pinhole camera with a pose: x_px = K (R X + t). The center of the top-left "
+      "pixel is (0, 0). Of a camera with a lens, the virtual pinhole camera that its "
+      "image is mapped to.")
       .def_property_readonly(
-          "name", [](const View& view) { return view.name; }, "Name of the image.")
+          "name", [](const SceneCamera& c) { return c.name; }, "Name of the image.")
       .def_property_readonly(
-          "width", [](const View& view) { return view.camera.width; },
+          "width", [](const SceneCamera& c) { return c.camera.width; },
           "Width of the image as used, px.")
       .def_property_readonly(
-          "height", [](const View& view) { return view.camera.height; },
+          "height", [](const SceneCamera& c) { return c.camera.height; },
           "Height of the image as used, px.")
       .def_property_readonly(
-          "K", [](const View& view) { return CopyOf(view.camera.Calibration()); },
+          "K", [](const SceneCamera& c) { return CopyOf(c.camera.Calibration()); },
           "3 x 3 calibration, px.")
       .def_property_readonly(
           "R",
-          [](const View& view) { return CopyOf(view.cam_from_world.rotation.toRotationMatrix()); },
+          [](const SceneCamera& c) { return CopyOf(c.cam_from_world.rotation.toRotationMatrix()); },
           "3 x 3 rotation from the model to the camera.")
       .def_property_readonly(
-          "t", [](const View& view) { return CopyOf(view.cam_from_world.translation); },
+          "t", [](const SceneCamera& c) { return CopyOf(c.cam_from_world.translation); },
           "3 translation from the model to the camera, in the model's unit.")
       .def_property_readonly(
-          "center", [](const View& view) { return CopyOf(view.CenterInWorld()); },
+          "center",
+          [](const SceneCamera& c) { return CopyOf(Inverse(c.cam_from_world).translation); },
           "3 position of the camera, in the model's unit.")
       .def_property_readonly(
-          "has_lens", [](const View& view) { return view.lens != nullptr; },
+          "has_lens", [](const SceneCamera& c) { return c.has_lens; },
           "Whether the photograph has distortion.")
-      .def("__repr__", [](const View& view) { return "<limn.Camera of '" + view.name + "'>"; });
+      .def("__reduce__", PickledCamera)
+      .def("__repr__", [](const SceneCamera& c) { return "<limn.Camera of '" + c.name + "'>"; });
 
   py::class_<OpenScene, std::shared_ptr<OpenScene>>(
       *module, "Scene",
@@ -125,7 +181,9 @@ void BindScene(py::module_* module) {
       .def_property_readonly("names", NamesOf, "Names of the images, sorted.")
       .def_property_readonly(
           "cameras",
-          [](const OpenScene& scene) { return Moved(scene.scene.views(), scene.scene.origin()); },
+          [](const OpenScene& scene) {
+            return CamerasOf(Moved(scene.scene.views(), scene.scene.origin()));
+          },
           "A camera per image, in the order of the names.")
       .def_property_readonly(
           "warnings", [](const OpenScene& scene) { return WarningsOf(scene.made.log); },
@@ -136,6 +194,7 @@ void BindScene(py::module_* module) {
           "Number of 3D points of the sparse model that images see.")
       .def("image", ImageOf, py::arg("name"),
            "The photograph as used (H x W or H x W x 3, RGB, float32, gray levels 0 to 255).")
+      .def("__reduce__", PickledScene)
       .def("__len__", [](const OpenScene& scene) { return scene.scene.views().size(); })
       .def("__repr__", [](const OpenScene& scene) {
         return "<limn.Scene of " + std::to_string(scene.scene.views().size()) + " images>";

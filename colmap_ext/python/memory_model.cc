@@ -1,5 +1,6 @@
 #include "colmap_ext/python/memory_model.h"
 
+#include "colmap_ext/host/run_needs.h"
 #include "colmap_ext/import/calibration.h"
 #include "limn/util/errors.h"
 
@@ -21,7 +22,19 @@ const std::string& Place() {
   return place;
 }
 
+// The run options ask for a workspace; it is not read.
+MadeWith MadeInMemory(const OptionTexts& options) {
+  RefuseOptions("Scene", options,
+                {"workspace_path", "input_path", "image_path", "output_path", "model_index"});
+  MadeWith made;
+  made.given = Merged({{"workspace_path", "."}}, options);
+  made.options = ParseTexts("Scene", OptionsOfAllStages(), made.given);
+  return made;
+}
+
 }  // namespace
+
+MemoryModel::MemoryModel(const OptionTexts& options) : made_(MadeInMemory(options)) {}
 
 void MemoryModel::AddCamera(uint32_t id, const std::string& model, uint64_t width, uint64_t height,
                             std::vector<double> params) {
@@ -67,6 +80,14 @@ void MemoryModel::AddView(const std::string& name, const Eigen::Matrix3d& calibr
   views_.images.push_back(std::move(image));
 }
 
+void MemoryModel::CheckRoomFor(const std::string& name, ImageSize size, uint64_t num_bytes) const {
+  AsInputErrors([&] { CheckDecodable("image " + name, size, made_.options.view.max_image_size); });
+  const std::optional<double> available = AvailableMemory();
+  if (!available || static_cast<double>(num_bytes) <= *available) return;
+  throw InputError("image " + name + ": its copy takes " + std::to_string(num_bytes >> 20) +
+                   " MB, more memory than there is: give the images as files, or smaller");
+}
+
 void MemoryModel::AddPhoto(const std::string& name, PhotoPixels pixels) {
   if (photos_.emplace(name, std::move(pixels)).second) return;
   throw InputError("images: there are two of the name \"" + name + "\"");
@@ -80,14 +101,8 @@ SparseModel MemoryModel::TakeModel(PixelCenters pixel_centers) {
 }
 
 std::shared_ptr<OpenScene> OpenMemory(SparseModel model, const std::filesystem::path& image_dir,
-                                      const PhotoStore& photos, const OptionTexts& options,
+                                      const PhotoStore& photos, MadeWith made,
                                       RunMonitor* monitor) {
-  RefuseOptions("Scene", options,
-                {"workspace_path", "input_path", "image_path", "output_path", "model_index"});
-  // The run options ask for one; it is not read.
-  MadeWith made;
-  made.given = Merged({{"workspace_path", "."}}, options);
-  made.options = ParseTexts("Scene", OptionsOfAllStages(), made.given);
   LibraryConsole console(made.options.num_threads, monitor);
   return std::make_shared<OpenScene>(std::move(model), image_dir, photos, std::move(made),
                                      &console);

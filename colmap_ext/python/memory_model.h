@@ -22,6 +22,9 @@ namespace limn::colmap_ext {
 // InputError, with the same messages as the file readers.
 class MemoryModel {
  public:
+  // `options` as of OpenMemory. Throws OptionError.
+  explicit MemoryModel(const OptionTexts& options);
+
   // Records as in COLMAP's files: all cameras, then all images, then all points.
   void AddCamera(uint32_t id, const std::string& model, uint64_t width, uint64_t height,
                  std::vector<double> params);
@@ -35,13 +38,18 @@ class MemoryModel {
   void AddView(const std::string& name, const Eigen::Matrix3d& calibration,
                const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, ImageSize size);
 
+  // To be called before a photograph is copied. Throws InputError for one that would be refused as
+  // a file (CheckDecodable), or that takes more memory than there is.
+  void CheckRoomFor(const std::string& name, ImageSize size, uint64_t num_bytes) const;
   void AddPhoto(const std::string& name, PhotoPixels pixels);
 
   // From the views if any were added, else from the records. Call it once.
   SparseModel TakeModel(PixelCenters pixel_centers);
   PhotoStore TakePhotos() { return PhotoStore(std::move(photos_)); }
+  const MadeWith& made() const { return made_; }
 
  private:
+  MadeWith made_;
   ModelBuilder builder_;
   ImportedScene views_;
   std::map<std::string, PhotoPixels> photos_;
@@ -49,7 +57,6 @@ class MemoryModel {
 
 // The scene of a model; photographs that are not in memory are in the folder.
 std::shared_ptr<OpenScene> OpenMemory(SparseModel model, const std::filesystem::path& image_dir,
-                                      const PhotoStore& photos, const OptionTexts& options,
-                                      RunMonitor* monitor);
+                                      const PhotoStore& photos, MadeWith made, RunMonitor* monitor);
 
 }  // namespace limn::colmap_ext

@@ -44,7 +44,24 @@ void Translate(std::exception_ptr error) {
   }
 }
 
+// Of objects that cannot be changed.
+py::object Itself(const py::object& self) { return self; }
+py::object DeepItself(const py::object& self, const py::object&) { return self; }
+
 }  // namespace
+
+void Seal(const py::module_& module) {
+  for (const auto& [name, value] : module.attr("__dict__").cast<py::dict>()) {
+    if (!PyType_Check(value.ptr())) continue;
+    const auto type = py::reinterpret_borrow<py::object>(value);
+    // pybind11 makes its instances by tp_alloc.
+    reinterpret_cast<PyTypeObject*>(type.ptr())->tp_new = nullptr;
+    type.attr("__copy__") = py::cpp_function(Itself, py::is_method(type), py::name("__copy__"));
+    type.attr("__deepcopy__") = py::cpp_function(DeepItself, py::is_method(type),
+                                                 py::name("__deepcopy__"), py::arg("memo"));
+    PyType_Modified(reinterpret_cast<PyTypeObject*>(type.ptr()));
+  }
+}
 
 void BindErrors() { py::register_exception_translator(Translate); }
 
@@ -60,4 +77,5 @@ PYBIND11_MODULE(_limn, module) {
   limn::colmap_ext::BindDrawing(&module);
   limn::colmap_ext::BindMemory(&module);
   limn::colmap_ext::BindStages(&module);
+  limn::colmap_ext::Seal(module);
 }

@@ -19,6 +19,7 @@
 #include "colmap_ext/verbs/trust.h"
 #include "colmap_ext/workspace/refined_folder.h"
 #include "limn/evaluation/report_writers.h"
+#include "limn/formats/json_drawing_writer.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/errors.h"
 
@@ -355,6 +356,29 @@ void ExportDrawing(std::shared_ptr<const SceneDrawing> drawing, const OptionText
 void SaveDrawing(const SceneDrawing& drawing, const std::string& path) {
   const bool is_whole = DrawingFormatOf(path, {}) == "json";
   WriteDrawing(path, is_whole ? drawing.graph : Selected(drawing.graph, {}), drawing.metadata);
+}
+
+std::string DrawingAsJson(const SceneDrawing& drawing) {
+  std::ostringstream text;
+  WriteDrawingJson(drawing.graph, drawing.metadata, text);
+  return text.str();
+}
+
+std::shared_ptr<SceneDrawing> DrawingFromJson(const std::string& text) {
+  auto drawing = std::make_shared<SceneDrawing>();
+  DrawingFile file = ParseDrawingJson("pickled drawing", text);
+  drawing->graph = std::move(file.graph);
+  drawing->metadata = std::move(file.metadata);
+  return drawing;
+}
+
+OptionTexts OptionsOfFolder(const OpenScene& scene) {
+  const WorkspaceLayout& layout = scene.scene.layout();
+  if (layout.model_dir.empty()) {
+    throw InputError("a Scene in memory cannot be pickled: pickle the arrays it was made from");
+  }
+  return Merged(scene.made.given, {{"image_path", layout.image_dir.string()},
+                                   {"input_path", layout.model_dir.string()}});
 }
 
 RunLog RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor) {

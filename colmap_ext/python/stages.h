@@ -121,6 +121,15 @@ void ExportDrawing(std::shared_ptr<const SceneDrawing> drawing, const OptionText
 // contours in the others, as automatic_drawer does.
 void SaveDrawing(const SceneDrawing& drawing, const std::string& path);
 
+// The text of its drawing.json.
+std::string DrawingAsJson(const SceneDrawing& drawing);
+
+// A drawing without a scene, of such a text.
+std::shared_ptr<SceneDrawing> DrawingFromJson(const std::string& text);
+
+// The options that open the scene of a folder again. Throws InputError for one in memory.
+OptionTexts OptionsOfFolder(const OpenScene& scene);
+
 // Runs a command of the command line, which writes what it writes there, but prints nothing.
 // Throws OptionError if there is no such command.
 RunLog RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor);

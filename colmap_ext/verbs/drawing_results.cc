@@ -20,6 +20,7 @@
 #include "limn/cache/curves_key.h"
 #include "limn/evaluation/edgel_account.h"
 #include "limn/files/atomic_file.h"
+#include "limn/files/json_text.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/pictures/overlays.h"
 #include "limn/primitives/fit_primitives.h"
@@ -113,12 +114,14 @@ Json PresentOptions(Json options) {
          [&](const Json& value) { return AreSameValue(value.dump(), retired.value); });
   }
   const Json* drawing = GroupOf("Drawing.", &options);
-  const bool is_paper = drawing && drawing->value("method", "") == "paper";
+  const bool is_paper = drawing && drawing->contains("method") && drawing->at("method") == "paper";
   for (const std::string former : FormerNames()) {
     const std::string name = *NewName(former);
     const auto value = take(former, [](const Json&) { return true; });
     if (value && is_paper) {
-      options[name.substr(0, name.find('.'))][name.substr(name.find('.') + 1)] = *value;
+      Json& group = options[name.substr(0, name.find('.'))];
+      if (!group.is_object()) group = Json::object();
+      group[name.substr(name.find('.') + 1)] = *value;
     }
   }
   return options;
@@ -151,7 +154,8 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
   if (!options.update && metadata.view_names != Metadata(project, "{}").view_names) {
     refuse("is a drawing of other images");
   }
-  const Json old_options = PresentOptions(Json::parse(metadata.options_json));
+  const Json old_options =
+      PresentOptions(ParseJson("options of the drawing", metadata.options_json));
   const Json new_options = Json::parse(provenance);
   // Whatever the order of keys.
   const Json difference = Json::diff(old_options, new_options);

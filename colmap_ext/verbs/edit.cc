@@ -9,6 +9,7 @@
 #include "colmap_ext/verbs/edit_report.h"
 #include "limn/cache/content_hash.h"
 #include "limn/editing/apply_edits.h"
+#include "limn/files/json_text.h"
 #include "limn/files/whole_file.h"
 #include "limn/formats/json_edits_reader.h"
 #include "limn/pipeline/refit_edited.h"
@@ -50,7 +51,7 @@ void EditVerb::Prepare(RunOptions*, Console*) {
 }
 
 std::string EditVerb::Provenance(const RunOptions&, const std::string& before) const {
-  Json json = Json::parse(before);
+  Json json = ParseJson("options of the drawing", before);
   json["edits"].push_back(content_hash_);
   return json.dump();
 }

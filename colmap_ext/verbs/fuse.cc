@@ -16,6 +16,7 @@
 #include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "limn/files/atomic_file.h"
+#include "limn/files/json_text.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
@@ -116,7 +117,7 @@ void FuseVerb::Prepare(RunOptions*, Console*) {
 }
 
 std::string FuseVerb::Provenance(const RunOptions& options, const std::string& before) const {
-  Json json = Json::parse(before);
+  Json json = ParseJson("options of the drawing", before);
   Json& dense = json["DenseFusion"] = Json::parse(OptionsAsJson(options.dense));
   dense["dense_type"] = paths_.dense_type;
   dense["remove_occluded"] = remove_occluded_;

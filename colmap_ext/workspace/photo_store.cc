@@ -33,7 +33,10 @@ const PhotoPixels* PhotoStore::Find(const std::string& path) const {
 }
 
 CheckedImage PhotoStore::Check(const std::string& path, int max_image_size) const {
-  if (const PhotoPixels* pixels = Find(path)) return {pixels->size, std::nullopt};
+  if (const PhotoPixels* pixels = Find(path)) {
+    CheckDecodable(path, pixels->size, max_image_size);
+    return {pixels->size, std::nullopt};
+  }
   return CheckImage(path, max_image_size);
 }
 

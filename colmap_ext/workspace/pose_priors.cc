@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <system_error>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <sqlite3.h>
@@ -17,6 +18,12 @@ namespace {
 
 // COLMAP's PosePrior::CoordinateSystem::WGS84.
 constexpr int kSystemWgs84 = 0;
+
+// Longer than any name or matrix, and than the text of any table of COLMAP.
+constexpr int kMaxValueBytes = 1 << 20;
+// Steps of SQLite's machine, some seconds: a row takes tens of them.
+constexpr int kStepsPerCall = 1'000'000;
+constexpr int kMaxCalls = 300;
 
 // A path as the URI of SQLite; the file is read as it is, without locks and logs.
 std::string ImmutableUri(const std::filesystem::path& path) {
@@ -33,13 +40,30 @@ std::string ImmutableUri(const std::filesystem::path& path) {
   return uri + "?immutable=1";
 }
 
+// A schema is a program, and the file may be anybody's: nothing of it runs.
+void Restrict(sqlite3* handle, int* num_calls) {
+  for (const int setting : {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_VIEW,
+                            SQLITE_DBCONFIG_ENABLE_TRIGGER}) {
+    sqlite3_db_config(handle, setting, 0, nullptr);
+  }
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kMaxValueBytes);
+  sqlite3_limit(handle, SQLITE_LIMIT_SQL_LENGTH, kMaxValueBytes);
+  const auto count_call = [](void* calls) {
+    return ++*static_cast<int*>(calls) > kMaxCalls ? 1 : 0;
+  };
+  sqlite3_progress_handler(handle, kStepsPerCall, count_call, num_calls);
+}
+
 // An open database; its errors name the file.
 class Database {
  public:
   explicit Database(const std::filesystem::path& path) : path_(path.string()) {
     const int code = sqlite3_open_v2(ImmutableUri(path).c_str(), &handle_,
                                      SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
-    if (code == SQLITE_OK) return;
+    if (code == SQLITE_OK) {
+      Restrict(handle_, &num_calls_);
+      return;
+    }
     const std::string reason = sqlite3_errstr(code);
     sqlite3_close(handle_);
     throw IoError(path_, "cannot be opened: " + reason);
@@ -50,11 +74,22 @@ class Database {
 
   const std::string& path() const { return path_; }
   sqlite3* handle() const { return handle_; }
-  [[noreturn]] void Fail() const { throw IoError(path_, sqlite3_errmsg(handle_)); }
+  [[noreturn]] void Fail() const {
+    switch (sqlite3_errcode(handle_)) {
+      case SQLITE_INTERRUPT:
+        throw IoError(path_, "takes more work than any database of COLMAP");
+      case SQLITE_TOOBIG:
+        throw IoError(path_, "has a value of more than " + std::to_string(kMaxValueBytes) +
+                                 " bytes where COLMAP has short ones");
+      default:
+        throw IoError(path_, Printable(sqlite3_errmsg(handle_)));
+    }
+  }
 
  private:
   std::string path_;
   sqlite3* handle_ = nullptr;
+  int num_calls_ = 0;
 };
 
 // Iterates over the rows of a query.
@@ -107,12 +142,43 @@ class Rows {
   sqlite3_stmt* statement_ = nullptr;
 };
 
-bool HasColumn(const Database& database, const std::string& table, const std::string& column) {
-  Rows rows(database, "SELECT name FROM pragma_table_info('" + table + "')");
+// Views and virtual tables are programs; they have no pages. None of the name is no table, either.
+bool IsTable(const Database& database, const std::string& name) {
+  Rows rows(database,
+            "SELECT type, rootpage FROM sqlite_master WHERE type IN ('table', 'view') "
+            "AND name = '" +
+                name + "' COLLATE NOCASE");
+  bool is_table = false;
   while (rows.Next()) {
-    if (rows.Text(0) == column) return true;
+    is_table = true;
+    if (rows.Text(0) == "table" && rows.Int(1) > 0) continue;
+    throw IoError(database.path(), name +
+                                       " is a view or a virtual table, not a table as COLMAP "
+                                       "makes them: nothing of it is run");
+  }
+  return is_table;
+}
+
+// False of columns that are computed, which are programs, too.
+bool HasColumn(const Database& database, const std::string& table, const std::string& column) {
+  if (!IsTable(database, table)) return false;
+  Rows rows(database, "SELECT name, hidden FROM pragma_table_xinfo('" + table + "')");
+  while (rows.Next()) {
+    if (rows.Text(0) != column) continue;
+    if (rows.Int(1) == 0) return true;
+    throw IoError(database.path(), "column " + column + " of " + table +
+                                       " is computed, not stored: nothing of it is run");
   }
   return false;
+}
+
+void ExpectColumns(const Database& database, const std::string& table,
+                   const std::vector<std::string>& columns) {
+  if (!IsTable(database, table)) throw IoError(database.path(), "has no table " + table);
+  for (const std::string& column : columns) {
+    if (HasColumn(database, table, column)) continue;
+    throw IoError(database.path(), "table " + table + " has no column " + column);
+  }
 }
 
 // Latitude, longitude and altitude.
@@ -149,6 +215,9 @@ PosePriors ReadPriorTable(const Database& database, const std::set<std::string>&
   };
   // COLMAP 4 has priors of any sensor; cameras are of type 0, and their data are images.
   const bool has_sensors = HasColumn(database, "pose_priors", "corr_data_id");
+  ExpectColumns(database, "images", {"image_id", "name"});
+  ExpectColumns(database, "pose_priors",
+                {"coordinate_system", has_sensors ? "corr_sensor_type" : "image_id"});
   Rows rows(database, "SELECT images.name, position, coordinate_system, " +
                           or_null("position_covariance") + ", " + or_null("gravity") +
                           " FROM pose_priors JOIN images ON images.image_id = pose_priors." +
@@ -174,6 +243,8 @@ PosePriors ReadPriorTable(const Database& database, const std::set<std::string>&
 
 // From older COLMAP: positions from the photographs' EXIF data, or poses stored by a user.
 PosePriors ReadImageColumns(const Database& database, const std::set<std::string>& images) {
+  ExpectColumns(database, "images",
+                {"name", "prior_qw", "prior_qx", "prior_qy", "prior_qz", "prior_ty", "prior_tz"});
   Rows rows(database,
             "SELECT name, prior_qw, prior_qx, prior_qy, prior_qz, prior_tx, prior_ty, prior_tz "
             "FROM images");

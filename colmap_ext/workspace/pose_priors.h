@@ -33,8 +33,10 @@ using PosePriors = std::map<std::string, PosePrior>;
 // as immutable: neither it nor its folder is changed, and entries that exist only in its
 // write-ahead log are not read.
 //
+// Nothing of its schema is run: views, virtual tables and computed columns are refused.
+//
 // Throws IoError: no database, tables or columns missing, values of wrong size or impossible,
-// positions of both kinds.
+// positions of both kinds, more work than any database of COLMAP takes (some seconds).
 PosePriors ReadPosePriors(const std::filesystem::path& path, const std::set<std::string>& images);
 
 }  // namespace limn::colmap_ext

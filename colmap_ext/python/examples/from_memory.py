@@ -13,7 +13,7 @@ import numpy as np
 import limn
 
 project = limn.open(sys.argv[1], max_image_size=480)
-images = [project.image(name) / 255 for name in project.names]
+images = [project.image(name) for name in project.names]
 K = [camera.K for camera in project.cameras]
 R = [camera.R for camera in project.cameras]
 t = [camera.t for camera in project.cameras]

@@ -5,7 +5,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from limn._limn import MemoryModel, Scene
+from limn._limn import MemoryModel, Scene, memory_model
 from limn._options import texts_of
 from limn.errors import InputError, OptionError
 
@@ -32,21 +32,30 @@ def _per_image(name: str, values: Any, shape: tuple[int, ...], count: int) -> An
     return array
 
 
-def _pixels(name: str, image: Any) -> Any:
+def _pixels(model: MemoryModel, name: str, image: Any) -> Any:
     try:
         pixels = np.asarray(image)
     except ValueError:  # rows of different lengths
         pixels = np.empty(0)
     if pixels.ndim < 2:
         raise InputError(f"image {name}: must be an array of H x W or H x W x 3")
+    model.check_photo(name, pixels)
     return pixels
+
+
+def _white(images: Iterable[Any]) -> float:
+    """The level of white in pictures of floating-point numbers: 255 if any of them is above 1. They share it, since a
+    dark one does not tell."""
+    floats = (image for image in images if image.dtype.kind == "f" and image.size)
+    return 255 if any((image > 1).any() for image in floats) else 1
 
 
 def scene_from_arrays(images: Sequence[Any], K: Any, R: Any, t: Any, names: Optional[Sequence[str]] = None,
                       pixel_centers: str = "integer", progress: Any = None, **options: Any) -> Scene:
     """A scene of pinhole cameras x_px = K (R X + t).
 
-    images: arrays H x W or H x W x 3 (RGB) of uint8, uint16, or floating-point numbers 0 to 1; they are copied.
+    images: arrays H x W or H x W x 3 (RGB) of uint8, uint16, or floating-point numbers: 0 to 1, or, if one of them is
+    above 1, 0 to 255, as of Scene.image(). They are copied, and may be as large as files.
     K: 3 x 3 for all or N x 3 x 3, px; R: N x 3 x 3; t: N x 3, or N x 3 x 1. With pixel_centers "integer" the center of
     the top-left pixel is (0, 0), as in OpenCV; with "half" (0.5, 0.5), as in COLMAP.
     names: of the images, in the order of which views are numbered; default image-0000 and so on.
@@ -63,12 +72,13 @@ def scene_from_arrays(images: Sequence[Any], K: Any, R: Any, t: Any, names: Opti
     calibrations = _per_image("K", K, (3, 3), count)
     rotations = _per_image("R", R, (3, 3), count)
     translations = _per_image("t", t, (3,), count)
-    model = MemoryModel()
-    for name, image, calibration, rotation, translation in zip(names, images, calibrations, rotations, translations):
-        pixels = _pixels(name, image)
+    model = memory_model(texts_of(options))
+    pictures = [_pixels(model, name, image) for name, image in zip(names, images)]
+    white = _white(pictures)
+    for name, pixels, calibration, rotation, translation in zip(names, pictures, calibrations, rotations, translations):
         model.add_view(name, calibration, rotation, translation, pixels.shape[1], pixels.shape[0])
-        model.add_photo(name, pixels)
-    return model.open("", pixel_centers == "half", texts_of(options), progress)
+        model.add_photo(name, pixels, white)
+    return model.open("", pixel_centers == "half", progress)
 
 
 def _value(attribute: Any) -> Any:
@@ -123,7 +133,7 @@ def scene_from_reconstruction(reconstruction: Any, image_path: Any = None, image
     """
     if (image_path is None) == (images is None):
         raise OptionError("from_reconstruction: either image_path or images must be given")
-    model = MemoryModel()
+    model = memory_model(texts_of(options))
     for camera_id, camera in sorted(reconstruction.cameras.items()):
         model.add_camera(camera_id, _model_name(camera), camera.width, camera.height, list(camera.params))
     names = _add_images(reconstruction, model)
@@ -135,5 +145,8 @@ def scene_from_reconstruction(reconstruction: Any, image_path: Any = None, image
         for name in names:
             if name not in images:
                 raise InputError(f"images: none has the name \"{name}\"")
-            model.add_photo(name, _pixels(name, images[name]))
-    return model.open("" if image_path is None else image_path, False, texts_of(options), progress)
+        pictures = {name: _pixels(model, name, images[name]) for name in names}
+        white = _white(pictures.values())
+        for name, pixels in pictures.items():
+            model.add_photo(name, pixels, white)
+    return model.open("" if image_path is None else image_path, False, progress)

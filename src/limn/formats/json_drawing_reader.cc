@@ -4,16 +4,19 @@
 #include <fstream>
 #include <initializer_list>
 #include <limits>
-#include <map>
 #include <optional>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
 
 #include "limn/files/json_text.h"
+#include "limn/files/json_value.h"
 #include "limn/files/whole_file.h"
 #include "limn/formats/json_faces.h"
+#include "limn/formats/json_place.h"
+#include "limn/formats/json_views.h"
 #include "limn/util/errors.h"
+#include "limn/util/printable.h"
 
 namespace limn {
 namespace {
@@ -22,273 +25,306 @@ constexpr const char* kRefinedCameras = "refined_cameras";
 // It is before the list of views, which may be long.
 constexpr size_t kMaxHeadBytes = 1 << 10;
 
-// Ordered, so that the options come back in the order they were written in.
-using Json = nlohmann::ordered_json;
-
-Eigen::Vector3d ToPoint(const Json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
 // The one of the values whose name (by SourceName) the file has.
 template <typename Source>
-Source ToSource(const std::string& name, std::initializer_list<Source> values) {
-  for (const Source value : values) {
-    if (name == SourceName(value)) return value;
+Source ToSource(const JsonValue& value, std::initializer_list<Source> sources) {
+  for (const Source source : sources) {
+    if (value.Text() == SourceName(source)) return source;
   }
-  throw InputError("\"world_from_model\": unknown source \"" + name.substr(0, 40) + "\"");
+  value.FailUnknown("source");
 }
 
-Alignment ToAlignment(const Json& json) {
+Alignment ToAlignment(const JsonValue& value) {
   Alignment alignment;
   Similarity3d& similarity = alignment.world_from_model;
-  similarity.scale = json.at("scale").get<double>();
-  for (int row = 0; row < 3; ++row) {
-    similarity.rotation.row(row) = ToPoint(json.at("rotation").at(row)).transpose();
-  }
-  similarity.translation = ToPoint(json.at("translation"));
-  alignment.up =
-      ToSource(json.at("up_from").get<std::string>(),
-               {UpSource::kGravity, UpSource::kPositions, UpSource::kLines, UpSource::kCameras});
-  alignment.axes = ToSource(json.at("axes_from").get<std::string>(),
+  similarity.scale = value.At("scale").Number();
+  const std::vector<JsonValue> rows = value.At("rotation").Items(3, 3);
+  for (int row = 0; row < 3; ++row) similarity.rotation.row(row) = PlaceOf(rows[row]).transpose();
+  similarity.translation = PlaceOf(value.At("translation"));
+  alignment.up = ToSource(value.At("up_from"), {UpSource::kGravity, UpSource::kPositions,
+                                                UpSource::kLines, UpSource::kCameras});
+  alignment.axes = ToSource(value.At("axes_from"),
                             {AxesSource::kLines, AxesSource::kPositions, AxesSource::kModel});
-  alignment.scale = ToSource(json.at("scale_from").get<std::string>(),
+  alignment.scale = ToSource(value.At("scale_from"),
                              {ScaleSource::kNone, ScaleSource::kLengths, ScaleSource::kPositions});
   const std::string broken = Validate(alignment);
-  if (!broken.empty()) throw InputError("\"world_from_model\": " + broken);
-  if (json.at("unit").get<std::string>() != alignment.Unit()) {
-    throw InputError("\"world_from_model\": the unit is not \"" + std::string(alignment.Unit()) +
-                     "\"");
+  if (!broken.empty()) value.Fail(broken);
+  if (value.At("unit").Text() != alignment.Unit()) {
+    value.At("unit").Fail("not \"" + std::string(alignment.Unit()) + "\"");
   }
   return alignment;
 }
 
-LinkEnd ToLinkEnd(const Json& json) { return {IntFromJson(json.at(0)), IntFromJson(json.at(1))}; }
+LinkEnd ToLinkEnd(const JsonValue& value) {
+  const std::vector<JsonValue> items = value.Items(2, 2);
+  return {items[0].Integer(), items[1].Integer()};
+}
 
-NodeKind ToNodeKind(const std::string& name) {
+std::optional<NodeKind> NodeKindNamed(const std::string& name) {
   for (const NodeKind kind : {NodeKind::kEnd, NodeKind::kJunction, NodeKind::kLoopAnchor}) {
     if (name == NodeKindName(kind)) return kind;
   }
-  throw InputError("unknown kind of node \"" + name.substr(0, 40) + "\"");
+  return std::nullopt;
 }
 
-DrawingNode ToNode(const Json& json) {
+DrawingNode ToNode(const JsonValue& value) {
   DrawingNode node;
-  node.position_in_world = ToPoint(json.at("position"));
-  node.kind = ToNodeKind(json.at("kind").get<std::string>());
-  for (const Json& end : json.at("incident")) node.incident.push_back(ToLinkEnd(end));
-  for (const Json& pair : json.at("continuations")) {
-    node.continuations.emplace_back(ToLinkEnd(pair.at(0)), ToLinkEnd(pair.at(1)));
+  node.position_in_world = PlaceOf(value.At("position"));
+  node.kind = NamedBy(value.At("kind"), NodeKindNamed, "kind of node");
+  for (const JsonValue& end : value.At("incident").Items()) node.incident.push_back(ToLinkEnd(end));
+  for (const JsonValue& pair : value.At("continuations").Items()) {
+    const std::vector<JsonValue> ends = pair.Items(2, 2);
+    node.continuations.emplace_back(ToLinkEnd(ends[0]), ToLinkEnd(ends[1]));
   }
   return node;
 }
 
-LinkDense ToDense(const Json& json) {
-  LinkDense dense;
-  const auto name = json.at("class").get<std::string>();
+std::optional<DenseClass> DenseClassNamed(const std::string& name) {
   for (const DenseClass candidate :
        {DenseClass::kUnknown, DenseClass::kSurface, DenseClass::kBoundary, DenseClass::kFree}) {
-    if (name == DenseClassName(candidate)) dense.dense_class = candidate;
+    if (name == DenseClassName(candidate)) return candidate;
   }
-  if (name != DenseClassName(dense.dense_class)) {
-    throw InputError("unknown class of link \"" + name.substr(0, 40) + "\"");
-  }
-  dense.added_share = json.at("added_share").get<double>();
-  dense.occluded_share = json.at("occluded_share").get<double>();
-  dense.behind_surface = json.at("behind_surface").get<bool>();
-  dense.fold_deg = json.value("fold_deg", -1.0);
+  return std::nullopt;
+}
+
+LinkDense ToDense(const JsonValue& value) {
+  LinkDense dense;
+  dense.dense_class = NamedBy(value.At("class"), DenseClassNamed, "class of link");
+  dense.added_share = value.At("added_share").Number();
+  dense.occluded_share = value.At("occluded_share").Number();
+  dense.behind_surface = value.At("behind_surface").Bool();
+  dense.fold_deg = value.NumberOr("fold_deg", -1);
   return dense;
 }
 
-CircularArc ToArc(const Json& json) {
+CircularArc ToArc(const JsonValue& value) {
   CircularArc arc;
-  arc.center = ToPoint(json.at("center"));
-  arc.x_axis = ToPoint(json.at("x_axis"));
-  arc.y_axis = ToPoint(json.at("y_axis"));
-  arc.radius = json.at("radius").get<double>();
-  arc.sweep_rad = json.at("sweep_rad").get<double>();
+  arc.center = PlaceOf(value.At("center"));
+  arc.x_axis = PlaceOf(value.At("x_axis"));
+  arc.y_axis = PlaceOf(value.At("y_axis"));
+  arc.radius = value.At("radius").Number();
+  arc.sweep_rad = value.At("sweep_rad").Number();
   return arc;
 }
 
-CubicBSpline ToSpline(const Json& json) {
-  CubicBSpline spline;
-  spline.knots = json.at("knots").get<std::vector<double>>();
-  for (const Json& point : json.at("control_points")) {
-    spline.control_points.push_back(ToPoint(point));
-  }
-  return spline;
-}
-
-LinkPrimitive ToPrimitive(const Json& json) {
+LinkPrimitive ToPrimitive(const JsonValue& value) {
   LinkPrimitive primitive;
-  const auto type = json.at("type").get<std::string>();
+  const std::string& type = value.At("type").Text();
   if (type == "line") {
-    primitive.shape = LineSegment{ToPoint(json.at("start")), ToPoint(json.at("end"))};
+    primitive.shape = LineSegment{PlaceOf(value.At("start")), PlaceOf(value.At("end"))};
   } else if (type == "arc" || type == "circle") {
-    primitive.shape = ToArc(json);
+    primitive.shape = ToArc(value);
   } else if (type == "spline") {
-    primitive.shape = ToSpline(json);
+    primitive.shape =
+        CubicBSpline{value.At("knots").Numbers(), PlacesOf(value.At("control_points"))};
   } else {
-    throw InputError("unknown type of primitive \"" + type.substr(0, 40) + "\"");
+    value.At("type").FailUnknown("type of primitive");
   }
-  primitive.rms_px = json.at("rms_px").get<double>();
-  primitive.max_px = json.at("max_px").get<double>();
+  primitive.rms_px = value.At("rms_px").Number();
+  primitive.max_px = value.At("max_px").Number();
   return primitive;
 }
 
-RoundBody ToRoundBody(const Json& json) {
+RoundBody ToRoundBody(const JsonValue& value) {
   RoundBody body;
-  const auto name = json.at("shape").get<std::string>();
-  const std::optional<RoundShape> shape = RoundShapeNamed(name);
-  if (!shape) throw InputError("unknown shape of a body \"" + name.substr(0, 40) + "\"");
-  body.shape = *shape;
+  body.shape = NamedBy(value.At("shape"), RoundShapeNamed, "shape of a body");
   if (body.shape == RoundShape::kSphere) {
-    body.start = body.end = ToPoint(json.at("center"));
-    body.start_radius = body.end_radius = json.at("radius").get<double>();
+    body.start = body.end = PlaceOf(value.At("center"));
+    body.start_radius = body.end_radius = value.At("radius").Number();
   } else {
-    body.start = ToPoint(json.at("axis").at(0));
-    body.end = ToPoint(json.at("axis").at(1));
-    body.start_radius = json.at("radii").at(0).get<double>();
-    body.end_radius = json.at("radii").at(1).get<double>();
+    const std::vector<JsonValue> axis = value.At("axis").Items(2, 2);
+    const std::vector<JsonValue> radii = value.At("radii").Items(2, 2);
+    body.start = PlaceOf(axis[0]);
+    body.end = PlaceOf(axis[1]);
+    body.start_radius = radii[0].Number();
+    body.end_radius = radii[1].Number();
   }
-  body.radius_sigma = json.at("radius_sigma").get<double>();
-  body.rms_px = json.at("rms_px").get<double>();
+  body.radius_sigma = value.At("radius_sigma").Number();
+  body.rms_px = value.At("rms_px").Number();
   return body;
 }
 
-LinkRegularity ToLinkRegularity(const Json& json) {
-  const auto index = [&](const char* name) {
-    return json.contains(name) ? IntFromJson(json.at(name)) : -1;
-  };
+std::vector<int> IntegersOf(const std::vector<JsonValue>& items) {
+  std::vector<int> integers;
+  for (const JsonValue& item : items) integers.push_back(item.Integer());
+  return integers;
+}
+
+// -1 if there is none.
+int IndexOf(const JsonValue& value, const char* name) {
+  const auto found = value.Find(name);
+  return found ? found->Integer() : -1;
+}
+
+LinkRegularity ToLinkRegularity(const JsonValue& value) {
   LinkRegularity regularity;
-  regularity.direction = index("direction");
-  regularity.radius = index("radius");
-  regularity.axis = index("axis");
-  for (const Json& plane : json.value("planes", Json::array())) {
-    regularity.planes.push_back(IntFromJson(plane));
-  }
+  regularity.direction = IndexOf(value, "direction");
+  regularity.radius = IndexOf(value, "radius");
+  regularity.axis = IndexOf(value, "axis");
+  regularity.planes = IntegersOf(value.ItemsOf("planes"));
   return regularity;
 }
 
-Regularities ToRegularities(const Json& json) {
+Regularities ToRegularities(const JsonValue& value) {
   Regularities regularities;
-  for (const Json& of : json.at("directions")) {
-    regularities.directions.push_back({ToPoint(of.at("direction")), {}});
-    for (const Json& other : of.at("orthogonal_to")) {
-      regularities.directions.back().orthogonal_to.push_back(IntFromJson(other));
-    }
+  for (const JsonValue& of : value.At("directions").Items()) {
+    regularities.directions.push_back(
+        {PlaceOf(of.At("direction")), IntegersOf(of.At("orthogonal_to").Items())});
   }
-  for (const Json& of : json.at("planes")) {
-    const int normal =
-        of.contains("normal_direction") ? IntFromJson(of.at("normal_direction")) : -1;
+  for (const JsonValue& of : value.At("planes").Items()) {
     regularities.planes.push_back(
-        {ToPoint(of.at("normal")), of.at("offset").get<double>(), normal});
+        {PlaceOf(of.At("normal")), of.At("offset").Number(), IndexOf(of, "normal_direction")});
   }
-  regularities.radii = json.at("radii").get<std::vector<double>>();
-  for (const Json& of : json.at("axes")) {
-    regularities.axes.push_back({ToPoint(of.at("point")), ToPoint(of.at("direction"))});
+  regularities.radii = value.At("radii").Numbers();
+  for (const JsonValue& of : value.At("axes").Items()) {
+    regularities.axes.push_back({PlaceOf(of.At("point")), PlaceOf(of.At("direction"))});
   }
   const std::string broken = Validate(regularities);
-  if (!broken.empty()) throw InputError("\"regularities\": " + broken);
+  if (!broken.empty()) value.Fail(broken);
   return regularities;
 }
 
-// Drawings of earlier versions have no kinds.
-LinkKind ToKind(const std::string& name) {
-  const std::optional<LinkKind> kind = LinkKindNamed(name);
-  if (!kind) throw InputError("unknown kind of link \"" + name.substr(0, 40) + "\"");
-  return *kind;
-}
-
-LinkDoubt ToDoubt(const std::string& name) {
-  const std::optional<LinkDoubt> doubt = LinkDoubtNamed(name);
-  if (!doubt) throw InputError("unknown doubt of a link \"" + name.substr(0, 40) + "\"");
-  return *doubt;
-}
-
-DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_ids) {
-  DrawingLink link;
-  link.node0 = IntFromJson(json.at("node0"));
-  link.node1 = IntFromJson(json.at("node1"));
-  link.closed = json.at("closed").get<bool>();
-  link.residual_px = json.at("residual_px").get<double>();
-  link.tri_angle_deg = json.value("tri_angle_deg", -1.0);
-  link.depth_sigma = json.value("depth_sigma", -1.0);
-  link.curve_px = json.value("curve_px", 0.0);
-  if (json.contains("evidence")) link.evidence = json.at("evidence").get<double>();
-  link.confidence = json.value("confidence", -1.0);
-  link.kind = ToKind(json.value("kind", "unknown"));
-  link.kind_confidence = json.value("kind_confidence", 0.0);
-  link.rod_radius = json.value("rod_radius", 0.0);
-  if (json.contains("body")) link.body = ToRoundBody(json.at("body"));
-  link.tentative = json.value("tentative", false);
-  link.doubt = ToDoubt(json.value("doubt", ""));
-  if (json.contains("dense")) link.dense = ToDense(json.at("dense"));
-  if (json.contains("primitive")) link.primitive = ToPrimitive(json.at("primitive"));
-  if (json.contains("regularity")) link.regularity = ToLinkRegularity(json.at("regularity"));
-  for (const Json& point : json.at("points")) link.points_in_world.push_back(ToPoint(point));
-  for (const Json& sigma : json.at("sigma")) {
+std::vector<double> ToSigmas(const JsonValue& value) {
+  std::vector<double> sigmas;
+  for (const JsonValue& sigma : value.Items()) {
     // JSON has no infinity: unknown is null.
-    link.sigma.push_back(sigma.is_null() ? std::numeric_limits<double>::infinity()
-                                         : sigma.get<double>());
+    sigmas.push_back(sigma.IsNull() ? std::numeric_limits<double>::infinity() : sigma.Number());
   }
-  for (const Json& name : json.at("supporting_views")) {
-    const auto id = view_ids.find(name.get<std::string>());
-    if (id == view_ids.end()) throw InputError("supporting view is not in the list of views");
-    link.supporting_views.push_back(id->second);
+  return sigmas;
+}
+
+DrawingLink ToLink(const JsonValue& value, const JsonViewIds& view_ids) {
+  DrawingLink link;
+  link.node0 = value.At("node0").Integer();
+  link.node1 = value.At("node1").Integer();
+  link.closed = value.At("closed").Bool();
+  link.residual_px = value.At("residual_px").Number();
+  link.tri_angle_deg = value.NumberOr("tri_angle_deg", -1);
+  link.depth_sigma = value.NumberOr("depth_sigma", -1);
+  link.curve_px = value.NumberOr("curve_px", 0);
+  if (const auto evidence = value.Find("evidence")) link.evidence = evidence->Number();
+  link.confidence = value.NumberOr("confidence", -1);
+  // Drawings of earlier versions have no kinds.
+  if (const auto kind = value.Find("kind"))
+    link.kind = NamedBy(*kind, LinkKindNamed, "kind of link");
+  link.kind_confidence = value.NumberOr("kind_confidence", 0);
+  link.rod_radius = value.NumberOr("rod_radius", 0);
+  if (const auto body = value.Find("body")) link.body = ToRoundBody(*body);
+  link.tentative = value.BoolOr("tentative", false);
+  if (const auto doubt = value.Find("doubt")) {
+    link.doubt = NamedBy(*doubt, LinkDoubtNamed, "doubt of a link");
   }
-  for (const Json& member : json.at("members")) {
-    link.members.push_back(
-        {IntFromJson(member.at(0)), IntFromJson(member.at(1)), IntFromJson(member.at(2))});
+  if (const auto dense = value.Find("dense")) link.dense = ToDense(*dense);
+  if (const auto primitive = value.Find("primitive")) link.primitive = ToPrimitive(*primitive);
+  if (const auto regularity = value.Find("regularity")) {
+    link.regularity = ToLinkRegularity(*regularity);
+  }
+  link.points_in_world = PlacesOf(value.At("points"));
+  link.sigma = ToSigmas(value.At("sigma"));
+  link.supporting_views = ViewsOf(value.At("supporting_views"), view_ids);
+  for (const JsonValue& member : value.At("members").Items()) {
+    const std::vector<JsonValue> items = member.Items(3, 3);
+    link.members.push_back({items[0].Integer(), items[1].Integer(), items[2].Integer()});
   }
   return link;
 }
 
-DrawingFile ToDrawingFile(const Json& json) {
-  if (json.at("format").get<std::string>() != kDrawingJsonFormat) {
-    throw InputError("\"format\" is not \"" + std::string(kDrawingJsonFormat) + "\"");
+void CheckFormat(const JsonValue& file) {
+  const JsonValue format = file.At("format");
+  if (format.Text() != kDrawingJsonFormat) {
+    format.Fail("not \"" + std::string(kDrawingJsonFormat) + "\"");
   }
-  const int version = IntFromJson(json.at("format_version"));
-  if (version != kDrawingJsonVersion) {
-    throw InputError("format version " + std::to_string(version) + "; this program reads version " +
-                     std::to_string(kDrawingJsonVersion));
+  const int version = file.At("format_version").Integer();
+  if (version == kDrawingJsonVersion) return;
+  throw InputError("format version " + std::to_string(version) + "; this program reads version " +
+                   std::to_string(kDrawingJsonVersion));
+}
+
+// Takes nodes, links and faces as they are read, so that not all of a large file is in memory.
+class DrawingReader {
+ public:
+  // Of a list of the file; links and faces only if the views are known.
+  bool Take(const std::string& list, const JsonValue& item) {
+    if (list != "nodes" && list != "links" && list != "faces") return false;
+    if (!has_views_) ReadHead(item.Root());
+    if (list != "nodes" && !has_views_) return false;
+    Add(list, item);
+    return true;
   }
-  DrawingFile file;
-  std::map<std::string, ViewId> view_ids;
-  for (const Json& name : json.at("views")) {
-    file.metadata.view_names.push_back(name.get<std::string>());
-    const auto id = static_cast<ViewId>(view_ids.size());
-    if (!view_ids.emplace(file.metadata.view_names.back(), id).second) {
-      throw InputError("view \"" + file.metadata.view_names.back() + "\" is listed twice");
+
+  // After them the others.
+  DrawingFile Finish(const JsonValue& root) {
+    CheckFormat(root);
+    root.At("views");
+    if (!has_views_) ReadHead(root);  // they were after the links
+    ReadMetadata(root);
+    for (const char* list : {"nodes", "links"}) root.At(list).Items();
+    for (const char* list : {"nodes", "links", "faces"}) {
+      for (const JsonValue& item : root.ItemsOf(list)) {
+        if (!item.IsNull()) Add(list, item);
+      }
+    }
+    const std::vector<std::string> violations = Validate(file_.graph);
+    if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
+    return std::move(file_);
+  }
+
+ private:
+  void Add(const std::string& list, const JsonValue& item) {
+    DrawingGraph& graph = file_.graph;
+    if (list == "nodes") graph.nodes.push_back(ToNode(item));
+    if (list == "links") graph.links.push_back(ToLink(item, view_ids_));
+    if (list == "faces") graph.faces.push_back(FaceFromJson(item, view_ids_));
+  }
+
+  // What has been read of it.
+  void ReadHead(const JsonValue& root) {
+    if (root.Find("format") && root.Find("format_version")) CheckFormat(root);
+    const auto views = root.Find("views");
+    if (!views) return;
+    has_views_ = true;
+    std::vector<std::string>& names = file_.metadata.view_names;
+    for (const JsonValue& name : views->Items()) {
+      if (!view_ids_.emplace(name.Text(), static_cast<ViewId>(names.size())).second) {
+        name.Fail("view \"" + Printable(name.Text()) + "\" is listed twice");
+      }
+      names.push_back(name.Text());
     }
   }
-  if (!json.at("options").is_object()) throw InputError("\"options\" is not an object");
-  file.metadata.options_json = json.at("options").dump();
-  file.metadata.refined_cameras = json.value(kRefinedCameras, "");
-  if (json.contains("world_from_model")) {
-    file.metadata.alignment = ToAlignment(json.at("world_from_model"));
+
+  void ReadMetadata(const JsonValue& root) {
+    DrawingMetadata& metadata = file_.metadata;
+    const JsonValue options = root.At("options");
+    options.ExpectObject();
+    options.ItemsOf("edits");  // later edits are added to them
+    metadata.options_json = options.Json().dump();
+    metadata.refined_cameras = root.TextOr(kRefinedCameras, "");
+    if (const auto alignment = root.Find("world_from_model")) {
+      metadata.alignment = ToAlignment(*alignment);
+    }
+    if (const auto regularities = root.Find("regularities")) {
+      file_.graph.regularities = ToRegularities(*regularities);
+    }
+    for (const JsonValue& dimension : root.ItemsOf("dimensions")) {
+      file_.graph.dimensions.push_back({PlaceOf(dimension.At("from")), PlaceOf(dimension.At("to")),
+                                        PlaceOf(dimension.At("shift"))});
+    }
   }
-  if (json.contains("regularities")) {
-    file.graph.regularities = ToRegularities(json.at("regularities"));
-  }
-  for (const Json& dimension : json.value("dimensions", Json::array())) {
-    file.graph.dimensions.push_back({ToPoint(dimension.at("from")), ToPoint(dimension.at("to")),
-                                     ToPoint(dimension.at("shift"))});
-  }
-  for (const Json& node : json.at("nodes")) file.graph.nodes.push_back(ToNode(node));
-  for (const Json& link : json.at("links")) file.graph.links.push_back(ToLink(link, view_ids));
-  for (const Json& face : json.value("faces", Json::array())) {
-    file.graph.faces.push_back(FaceFromJson(face, view_ids));
-  }
-  const std::vector<std::string> violations = Validate(file.graph);
-  if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
-  return file;
-}
+
+  DrawingFile file_;
+  JsonViewIds view_ids_;
+  bool has_views_ = false;
+};
 
 }  // namespace
 
 DrawingFile ParseDrawingJson(const std::string& name, const std::string& text) {
   try {
-    return ToDrawingFile(ParseJson(name, text));
+    DrawingReader reader;
+    const auto json = ParseJson(
+        name, text, kMaxLargeJsonValues,
+        [&](const std::string& list, const JsonValue& item) { return reader.Take(list, item); });
+    return reader.Finish(JsonValue(json));
   } catch (const std::exception&) {
     RethrowJsonError(name);
   }

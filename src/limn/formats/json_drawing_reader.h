@@ -29,8 +29,8 @@ struct DrawingFile {
 constexpr const char* kDrawingJsonFormat = "limn-drawing";
 constexpr int kDrawingJsonVersion = 1;
 
-// Reads a drawing.json as written by json_drawing_writer.h. Throws IoError, also if the graph
-// or the alignment violates an invariant of Validate.
+// Reads a drawing.json as written by json_drawing_writer.h, with numbers up to 1e15. Throws IoError
+// with the place; also if the graph or the alignment violates an invariant of Validate.
 DrawingFile ReadDrawingJson(const std::string& path);
 
 // The same from the text of a file, called `name` in messages.

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/files/json_text.h"
+#include "limn/files/json_value.h"
 #include "limn/formats/json_faces.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/drawing_paths.h"
@@ -138,7 +140,9 @@ Json ToJson(const DrawingLink& link, size_t id, LinkId curve,
                {"length", Length(link.points_in_world)},
                {"residual_px", link.residual_px}};
   if (link.tri_angle_deg >= 0) json["tri_angle_deg"] = link.tri_angle_deg;
-  if (link.depth_sigma >= 0) json["depth_sigma"] = link.depth_sigma;
+  if (link.depth_sigma >= 0 && link.depth_sigma <= JsonValue::kMaxNumber) {
+    json["depth_sigma"] = link.depth_sigma;
+  }
   if (link.curve_px > 0) json["curve_px"] = link.curve_px;
   if (link.evidence) json["evidence"] = *link.evidence;
   if (link.confidence >= 0) json["confidence"] = link.confidence;
@@ -167,13 +171,13 @@ Json ToJson(const DrawingLink& link, size_t id, LinkId curve,
   for (const Eigen::Vector3d& point : link.points_in_world) json["points"].push_back(ToJson(point));
   json["sigma"] = Json::array();
   for (const double sigma : link.sigma) {
-    json["sigma"].push_back(std::isfinite(sigma) ? Json(sigma) : Json(nullptr));
+    json["sigma"].push_back(sigma <= JsonValue::kMaxNumber ? Json(sigma) : Json(nullptr));
   }
   return json;
 }
 
 Json ParseOptions(const std::string& text) {
-  const Json options = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const Json options = ParseJson("options of the drawing", text);
   if (!options.is_object()) throw InputError("the options of a drawing must be a JSON object");
   return options;
 }

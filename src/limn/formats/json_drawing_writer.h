@@ -42,7 +42,7 @@ namespace limn {
 //                            {"type": "spline", "degree": 3, "knots": [...],
 //                             "control_points": [...]}, each with "rms_px", "max_px",
 //               "supporting_views": [name, ...], "members": [[curve, begin, end], ...],
-//               "points": [[x, y, z], ...], "sigma": [..., null = unknown]}],
+//               "points": [[x, y, z], ...], "sigma": [..., null = unknown, also if above 1e15]}],
 //    where there are surfaces "faces": [{"id", "surface": "plane"|"ruled"|"patch", "area",
 //               "confidence", of a plane "normal", "offset", "views": [name, ...],
 //               "loops": [[edge, ...], ...] with edge = {"link", "from", "to"} or

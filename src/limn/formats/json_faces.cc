@@ -1,10 +1,8 @@
 #include "limn/formats/json_faces.h"
 
-#include <optional>
-
 #include <nlohmann/json.hpp>
 
-#include "limn/files/json_text.h"
+#include "limn/formats/json_place.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -20,42 +18,27 @@ FaceJson PlacesToJson(const std::vector<Eigen::Vector3d>& places) {
   return json;
 }
 
-Eigen::Vector3d PlaceFromJson(const FaceJson& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
-std::vector<Eigen::Vector3d> PlacesFromJson(const FaceJson& json) {
-  std::vector<Eigen::Vector3d> places;
-  for (const FaceJson& place : json) places.push_back(PlaceFromJson(place));
-  return places;
-}
-
 FaceJson EdgeToJson(const FaceEdge& edge) {
   if (edge.IsBridge()) return {{"bridge", PlacesToJson(edge.bridge)}};
   return {{"link", edge.link}, {"from", edge.from}, {"to", edge.to}};
 }
 
-FaceEdge EdgeFromJson(const FaceJson& json) {
+FaceEdge EdgeFromJson(const JsonValue& value) {
   FaceEdge edge;
-  if (json.contains("bridge")) edge.bridge = PlacesFromJson(json.at("bridge"));
-  if (!json.contains("bridge") || json.contains("link")) {
-    edge.link = IntFromJson(json.at("link"));
-    edge.from = json.at("from").get<double>();
-    edge.to = json.at("to").get<double>();
+  const auto bridge = value.Find("bridge");
+  if (bridge) edge.bridge = PlacesOf(*bridge);
+  if (!bridge || value.Find("link")) {
+    edge.link = value.At("link").Integer();
+    edge.from = value.At("from").Number();
+    edge.to = value.At("to").Number();
   }
   return edge;
 }
 
-FaceLoop LoopFromJson(const FaceJson& json) {
+FaceLoop LoopFromJson(const JsonValue& value) {
   FaceLoop loop;
-  for (const FaceJson& edge : json) loop.push_back(EdgeFromJson(edge));
+  for (const JsonValue& edge : value.Items()) loop.push_back(EdgeFromJson(edge));
   return loop;
-}
-
-FaceSurface SurfaceFromJson(const std::string& name) {
-  const std::optional<FaceSurface> surface = FaceSurfaceNamed(name);
-  if (!surface) throw InputError("unknown surface of a face \"" + name.substr(0, 40) + "\"");
-  return *surface;
 }
 
 }  // namespace
@@ -90,28 +73,23 @@ nlohmann::ordered_json FaceToJson(const DrawingFace& face, size_t id,
   return json;
 }
 
-DrawingFace FaceFromJson(const nlohmann::ordered_json& json,
-                         const std::map<std::string, int>& view_ids) {
+DrawingFace FaceFromJson(const JsonValue& value, const JsonViewIds& view_ids) {
   DrawingFace face;
-  face.surface = SurfaceFromJson(json.at("surface").get<std::string>());
-  face.confidence = json.at("confidence").get<double>();
+  face.surface = NamedBy(value.At("surface"), FaceSurfaceNamed, "surface of a face");
+  face.confidence = value.At("confidence").Number();
   if (face.surface == FaceSurface::kPlane) {
-    face.normal = PlaceFromJson(json.at("normal"));
-    face.offset = json.at("offset").get<double>();
+    face.normal = PlaceOf(value.At("normal"));
+    face.offset = value.At("offset").Number();
   }
-  for (const FaceJson& name : json.at("views")) {
-    const auto id = view_ids.find(name.get<std::string>());
-    if (id == view_ids.end()) throw InputError("a view of a face is not in the list of views");
-    face.views.push_back(id->second);
+  face.views = ViewsOf(value.At("views"), view_ids);
+  for (const JsonValue& loop : value.At("loops").Items()) face.loops.push_back(LoopFromJson(loop));
+  for (const JsonValue& start : value.ItemsOf("side_starts")) {
+    face.side_starts.push_back(start.Integer());
   }
-  for (const FaceJson& loop : json.at("loops")) face.loops.push_back(LoopFromJson(loop));
-  for (const FaceJson& start : json.value("side_starts", FaceJson::array())) {
-    face.side_starts.push_back(IntFromJson(start));
-  }
-  face.vertices = PlacesFromJson(json.at("vertices"));
-  for (const FaceJson& corners : json.at("triangles")) {
-    face.triangles.push_back(
-        {IntFromJson(corners.at(0)), IntFromJson(corners.at(1)), IntFromJson(corners.at(2))});
+  face.vertices = PlacesOf(value.At("vertices"));
+  for (const JsonValue& triangle : value.At("triangles").Items()) {
+    const std::vector<JsonValue> corners = triangle.Items(3, 3);
+    face.triangles.push_back({corners[0].Integer(), corners[1].Integer(), corners[2].Integer()});
   }
   return face;
 }

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limn/files/json_value.h"
+#include "limn/formats/json_views.h"
 #include "limn/model/faces.h"
 
 namespace limn {
@@ -15,9 +16,8 @@ namespace limn {
 nlohmann::ordered_json FaceToJson(const DrawingFace& face, size_t id,
                                   const std::vector<std::string>& view_names);
 
-// Throws InputError if the surface or a view is unknown; the invariants of Validate are not
-// checked.
-DrawingFace FaceFromJson(const nlohmann::ordered_json& json,
-                         const std::map<std::string, int>& view_ids);
+// Throws InputError if a value is missing or of another type, or the surface or a view is unknown;
+// the invariants of Validate are not checked.
+DrawingFace FaceFromJson(const JsonValue& value, const JsonViewIds& view_ids);
 
 }  // namespace limn

@@ -3,8 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/files/json_text.h"
+#include "limn/files/json_value.h"
 #include "limn/files/whole_file.h"
-#include "limn/util/errors.h"
+#include "limn/formats/json_place.h"
 
 namespace limn {
 namespace {
@@ -16,26 +17,24 @@ JunctionKind JunctionKindNamed(const std::string& name) {
   return JunctionKind::kUnknown;
 }
 
+CurveNode ToCurveNode(const JsonValue& junction) {
+  CurveNode node;
+  node.position_in_world = PlaceOf(junction.At("position"));
+  node.degree = junction.At("degree").Integer();
+  if (node.degree < 1) junction.At("degree").Fail("a junction of degree below 1");
+  if (const auto kind = junction.Find("kind")) node.kind = JunctionKindNamed(kind->Text());
+  return node;
+}
+
 }  // namespace
 
 std::vector<CurveNode> ReadJunctions(const std::string& path) {
-  using Json = nlohmann::ordered_json;
   const std::string text = ReadWholeFile(path, kMaxJsonBytes);
   std::vector<CurveNode> nodes;
   try {
-    const Json file = ParseJson(path, text);
-    for (const Json& junction : file.at("junctions")) {
-      const Json& position = junction.at("position");
-      CurveNode node;
-      for (int axis = 0; axis < 3; ++axis) {
-        node.position_in_world[axis] = position.at(axis).get<double>();
-      }
-      node.degree = IntFromJson(junction.at("degree"));
-      if (node.degree < 1) throw IoError(path, "a junction of degree below 1");
-      if (junction.contains("kind")) {
-        node.kind = JunctionKindNamed(junction.at("kind").get<std::string>());
-      }
-      nodes.push_back(node);
+    const auto json = ParseJson(path, text);
+    for (const JsonValue& junction : JsonValue(json).At("junctions").Items()) {
+      nodes.push_back(ToCurveNode(junction));
     }
   } catch (const std::exception&) {
     RethrowJsonError(path);

@@ -51,9 +51,16 @@ constexpr std::array<TypeName, 16> kTypeNames = {{{"char", PlyType::kInt8},
                                                   {"double", PlyType::kFloat64},
                                                   {"float64", PlyType::kFloat64}}};
 
+// Far more than any program writes: splats have some sixty properties.
+constexpr size_t kMaxElements = 256;
+constexpr size_t kMaxProperties = 4096;  // of an element
+
 class HeaderParser {
  public:
-  HeaderParser(std::string path, std::string_view bytes) : path_(std::move(path)), bytes_(bytes) {}
+  HeaderParser(std::string path, std::string_view bytes)
+      : path_(std::move(path)),
+        bytes_(bytes.substr(0, kMaxPlyHeaderBytes)),
+        is_cut_(bytes.size() > kMaxPlyHeaderBytes) {}
 
   PlyHeader Run() {
     if (NextLine() != "ply") Fail("not a PLY file");
@@ -87,7 +94,10 @@ class HeaderParser {
   std::string_view NextLine() {
     const size_t end = bytes_.find('\n', at_);
     ++header_.num_lines;
-    if (end == std::string_view::npos) Fail("the file ends within the header");
+    if (end == std::string_view::npos) {
+      Fail(is_cut_ ? "the header has more than " + std::to_string(kMaxPlyHeaderBytes) + " bytes"
+                   : "the file ends within the header");
+    }
     std::string_view line = bytes_.substr(at_, end - at_);
     at_ = end + 1;
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
@@ -124,6 +134,9 @@ class HeaderParser {
         Fail("element " + element.name.substr(0, 40) + " is there twice");
       }
     }
+    if (header_.elements.size() == kMaxElements) {
+      Fail("more than " + std::to_string(kMaxElements) + " elements");
+    }
     header_.elements.push_back(std::move(element));
   }
 
@@ -147,11 +160,16 @@ class HeaderParser {
     }
     property.type = ParseType(type);
     if (!(*line >> property.name)) Fail("property without a name");
-    header_.elements.back().properties.push_back(std::move(property));
+    auto& properties = header_.elements.back().properties;
+    if (properties.size() == kMaxProperties) {
+      Fail("an element has more than " + std::to_string(kMaxProperties) + " properties");
+    }
+    properties.push_back(std::move(property));
   }
 
   std::string path_;
   std::string_view bytes_;
+  bool is_cut_;
   size_t at_ = 0;
   PlyHeader header_;
 };

@@ -38,7 +38,10 @@ struct PlyHeader {
   int num_lines = 0;
 };
 
-// Throws IoError with path, line and reason.
+constexpr size_t kMaxPlyHeaderBytes = 1 << 20;
+
+// Throws IoError with path, line and reason; also if the header has more than 1 MB, 256 elements or
+// 4,096 properties of an element. Only so many bytes are looked at.
 PlyHeader ParsePlyHeader(const std::string& path, std::string_view bytes);
 
 }  // namespace limn

@@ -14,13 +14,12 @@
 namespace limn {
 namespace {
 
-constexpr size_t kMaxHeaderBytes = 1 << 20;
 constexpr size_t kBlockBytes = 1 << 22;
 
 class PointReader {
  public:
   explicit PointReader(const std::string& path) : path_(path), in_(OpenFile(path)) {
-    std::string start(kMaxHeaderBytes, '\0');
+    std::string start(kMaxPlyHeaderBytes + 1, '\0');
     in_.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<size_t>(in_.gcount()));
     header_ = ParsePlyHeader(path, start);

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Geometry>
+#include <tuple>
 
 #include "limn/geometry/spatial_index.h"
 #include "limn/util/median.h"
@@ -11,37 +10,30 @@
 namespace limn {
 namespace {
 
-// The nearest point that is not at the same place, in balls that grow up to `largest`; 0 if none.
-double NearestOther(const SpatialIndex& index, const Eigen::Vector3d& point, double radius,
-                    double largest) {
-  std::vector<SpatialIndex::Neighbor> found;
-  for (; radius <= 2 * largest; radius *= 2) {
-    index.FindWithin(point, radius, &found);
-    double nearest = 0;
-    for (const SpatialIndex::Neighbor& other : found) {
-      const double squared = other.squared_distance;
-      if (squared > 0 && (nearest == 0 || squared < nearest)) nearest = squared;
-    }
-    if (nearest > 0) return std::sqrt(nearest);
-  }
-  return 0;
+std::vector<Eigen::Vector3d> WithoutCopies(std::vector<Eigen::Vector3d> points) {
+  std::sort(points.begin(), points.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::tie(a.x(), a.y(), a.z()) < std::tie(b.x(), b.y(), b.z());
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
 }
 
 }  // namespace
 
 double PointSpacing(const std::vector<Eigen::Vector3d>& points) {
   constexpr size_t kMaxAsked = 1000;
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& point : points) box.extend(point);
-  if (points.empty() || !(box.diagonal().norm() > 0)) return 0;
-  const double largest = box.diagonal().norm();
-  const double first = largest / static_cast<double>(points.size());
-  const SpatialIndex index(points);
+  const std::vector<Eigen::Vector3d> places = WithoutCopies(points);
+  if (places.size() < 2) return 0;
+  const SpatialIndex index(places);
   std::vector<double> distances;
+  std::vector<SpatialIndex::Neighbor> nearest;
   const size_t count = std::min(kMaxAsked, points.size());
   for (size_t k = 0; k < count; ++k) {
-    const double distance = NearestOther(index, points[k * points.size() / count], first, largest);
-    if (distance > 0) distances.push_back(distance);
+    // The point itself, then the next.
+    index.FindNearest(points[k * points.size() / count], 2, &nearest);
+    if (nearest[1].squared_distance > 0) {
+      distances.push_back(std::sqrt(nearest[1].squared_distance));
+    }
   }
   return Median(std::move(distances));
 }

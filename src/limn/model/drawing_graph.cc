@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "limn/geometry/polyline.h"
+#include "limn/model/link_shape.h"
 #include "limn/util/name_table.h"
 
 namespace limn {
@@ -34,7 +35,7 @@ bool IsNode(const DrawingGraph& graph, NodeId id) {
 }
 
 bool HasIncidence(const DrawingNode& node, LinkEnd end) {
-  return std::find(node.incident.begin(), node.incident.end(), end) != node.incident.end();
+  return std::binary_search(node.incident.begin(), node.incident.end(), end);
 }
 
 void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
@@ -93,7 +94,11 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
   }
   if (link.primitive) {
     const std::string broken = ValidateShape(link.primitive->shape);
-    if (!broken.empty()) violations->Add("link", id, "primitive: " + broken);
+    if (!broken.empty()) {
+      violations->Add("link", id, "primitive: " + broken);
+    } else if (!IsAlongLink(link.primitive->shape, link.points_in_world)) {
+      violations->Add("link", id, "primitive: it is not where the points of the link are");
+    }
   }
   if (link.regularity) {
     const std::string broken = Validate(*link.regularity, graph.regularities);
@@ -133,7 +138,11 @@ void CheckIncidence(const DrawingGraph& graph, NodeId id, Violations* violations
       violations->Add("node", id, "continuation of a link that does not end here");
     }
   }
-  if (!std::is_sorted(node.incident.begin(), node.incident.end())) {
+}
+
+void CheckOrder(const DrawingGraph& graph, NodeId id, Violations* violations) {
+  const std::vector<LinkEnd>& ends = graph.nodes[id].incident;
+  if (!std::is_sorted(ends.begin(), ends.end())) {
     violations->Add("node", id, "incident link ends not ascending");
   }
 }
@@ -171,6 +180,10 @@ std::optional<LinkDoubt> LinkDoubtNamed(const std::string& name) { return kLinkD
 
 std::vector<std::string> Validate(const DrawingGraph& graph) {
   Violations violations;
+  // Before the links, which are looked for at their nodes.
+  for (size_t id = 0; id < graph.nodes.size(); ++id) {
+    CheckOrder(graph, static_cast<NodeId>(id), &violations);
+  }
   for (size_t id = 0; id < graph.links.size(); ++id) {
     CheckLink(graph, static_cast<LinkId>(id), &violations);
   }

@@ -213,12 +213,12 @@ struct DrawingGraph {
 };
 
 // Descriptions of violated invariants, empty if there are none: ids in range, incidence symmetric,
-// link ends at their nodes' positions, all numbers finite, links of at least two points, no link of
-// zero length, one sigma (and one vertex, if there are any) per point, radii of rods
-// and of nothing else, bodies of contours only, primitives that ValidateShape accepts, regularities
-// and faces that are in order, finite dimensions, confidences from 0 to 1, lengths of curves not
-// below 0, doubts of tentative links only, junction <=> degree >= 3, loop anchors with exactly the
-// two ends of one closed link. Linear time.
+// link ends at their nodes' positions, all numbers finite, links of two points or more, none of
+// zero length, one sigma (and one vertex, if there are any) per point, radii of rods and of nothing
+// else, bodies of contours only, primitives that ValidateShape and IsAlongLink accept, regularities
+// and faces in order, finite dimensions, confidences from 0 to 1, lengths of curves not below 0,
+// doubts of tentative links only, junction <=> degree >= 3, loop anchors with exactly the two ends
+// of one closed link. Time n log n, mostly linear.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 
 // The kind of a node, by the link ends at it and by whether their link is closed.

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/files/json_text.h"
 #include "limn/formats/colors.h"
 #include "limn/geometry/median_point.h"
 #include "limn/geometry/polyline.h"
@@ -291,7 +292,7 @@ Json AddViews(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadAr
 
 Json ReportOf(const ViewerScene& scene) {
   if (scene.report_json.empty()) return nullptr;
-  Json report = Json::parse(scene.report_json, nullptr, /*allow_exceptions=*/false);
+  Json report = ParseJson("report of the page", scene.report_json);
   if (!report.is_object()) throw InputError("the report of a page must be a JSON object");
   return report;
 }

@@ -17,7 +17,7 @@ namespace limn {
 // row by row, "translation"}, before the center is subtracted.
 //
 // Throws InputError if the scene is inconsistent: thumbnails or supporting views without views, a
-// report that is not a JSON object.
+// report that is not an object; IoError if the report is no JSON.
 std::string EncodePayload(const ViewerScene& scene);
 
 }  // namespace limn

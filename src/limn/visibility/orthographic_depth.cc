@@ -44,7 +44,7 @@ OrthographicDepth EmptyDepth(const std::vector<Eigen::Vector3d>& points_in_frame
   return depth;
 }
 
-void FillTriangle(const std::array<Eigen::Vector3d, 3>& triangle, OrthographicDepth* depth) {
+size_t FillTriangle(const std::array<Eigen::Vector3d, 3>& triangle, OrthographicDepth* depth) {
   const Eigen::Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const auto [nearest, farthest] = std::minmax({triangle[0].z(), triangle[1].z(), triangle[2].z()});
   const auto depth_at = [&, near = nearest, far = farthest](const Eigen::Vector2d& at) {
@@ -57,7 +57,7 @@ void FillTriangle(const std::array<Eigen::Vector3d, 3>& triangle, OrthographicDe
   for (const Eigen::Vector3d& corner : triangle) {
     corners.push_back(depth->image.FromVirtual(corner.head<2>()));
   }
-  FillPolygon(corners, depth_at, &depth->image);
+  return FillPolygon(corners, depth_at, &depth->image);
 }
 
 }  // namespace
@@ -66,8 +66,9 @@ OrthographicDepth RenderOrthographicDepth(const TriangleMesh& mesh,
                                           const OrthographicFrame& frame) {
   const std::vector<Eigen::Vector3d> points = InFrame(mesh.vertices, frame.axes);
   OrthographicDepth depth = EmptyDepth(points, frame);
+  RasterWork work(depth.image, mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
-    FillTriangle({points[a], points[b], points[c]}, &depth);
+    work.Add(FillTriangle({points[a], points[b], points[c]}, &depth));
   }
   return depth;
 }
@@ -76,9 +77,10 @@ OrthographicDepth SplatOrthographicDepth(const std::vector<Eigen::Vector3d>& poi
                                          const OrthographicFrame& frame, double radius) {
   const std::vector<Eigen::Vector3d> points = InFrame(points_in_world, frame.axes);
   OrthographicDepth depth = EmptyDepth(points, frame);
+  RasterWork work(depth.image, points.size());
   for (const Eigen::Vector3d& point : points) {
-    FillDisc(depth.image.FromVirtual(point.head<2>()), radius / frame.cell,
-             static_cast<float>(point.z() - depth.front), &depth.image);
+    work.Add(FillDisc(depth.image.FromVirtual(point.head<2>()), radius / frame.cell,
+                      static_cast<float>(point.z() - depth.front), &depth.image));
   }
   return depth;
 }

@@ -28,7 +28,8 @@ struct OrthographicDepth {
   DepthImage image;
 };
 
-// Of a mesh, like RenderDepth. Time: triangles plus depth pixels covered.
+// Of a mesh, like RenderDepth. Time: triangles plus depth pixels covered. Throws InputError if
+// these are too many (RasterWork), as the next.
 OrthographicDepth RenderOrthographicDepth(const TriangleMesh& mesh, const OrthographicFrame& frame);
 
 // Of a cloud whose points are discs of `radius`, world units, like SplatDepth. PointSpacing, or a

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "limn/util/errors.h"
+
 namespace limn {
 namespace {
 
@@ -44,41 +46,68 @@ void PutNearer(float z, int column, int row, DepthImage* image) {
 
 }  // namespace
 
-void FillPolygon(const std::vector<Eigen::Vector2d>& corners,
-                 const std::function<double(const Eigen::Vector2d&)>& depth_at, DepthImage* image) {
+RasterWork::RasterWork(const DepthImage& image, size_t num_items) {
+  constexpr size_t kMaxLayers = 100;
+  constexpr size_t kLittleWork = 100'000'000;
+  constexpr size_t kPixelsOfItem = 50;
+  left_ =
+      std::max(kLittleWork, kMaxLayers * image.width * image.height) + kPixelsOfItem * num_items;
+}
+
+void RasterWork::Add(size_t num_pixels) {
+  if (num_pixels > left_) {
+    throw InputError(
+        "the triangles or points of a surface cover the picture more than a hundred times over: "
+        "simplify the surface, or leave it out");
+  }
+  left_ -= num_pixels;
+}
+
+size_t FillPolygon(const std::vector<Eigen::Vector2d>& corners,
+                   const std::function<double(const Eigen::Vector2d&)>& depth_at,
+                   DepthImage* image) {
   double top = std::numeric_limits<double>::infinity();
   double bottom = -top;
   for (const Eigen::Vector2d& corner : corners) {
     top = std::min(top, corner.y());
     bottom = std::max(bottom, corner.y());
   }
-  if (top > image->height || bottom < 0) return;
+  if (top > image->height || bottom < 0) return 0;
+  size_t num_pixels = 0;
   for (int row = FirstIndex(top); row <= LastIndex(bottom, image->height); ++row) {
     Span span;
     for (size_t k = 0; k < corners.size(); ++k) {
       CrossSide(corners[k], corners[(k + 1) % corners.size()], row, &span);
     }
+    ++num_pixels;
     if (span.first > image->width || !(span.last >= 0)) continue;
-    for (int column = FirstIndex(span.first); column <= LastIndex(span.last, image->width);
-         ++column) {
+    const int first = FirstIndex(span.first);
+    const int last = LastIndex(span.last, image->width);
+    for (int column = first; column <= last; ++column) {
       PutNearer(static_cast<float>(depth_at(image->PixelOf(column, row))), column, row, image);
     }
+    num_pixels += static_cast<size_t>(std::max(0, last - first + 1));
   }
+  return num_pixels;
 }
 
-void FillDisc(const Eigen::Vector2d& center, double radius, float z, DepthImage* image) {
+size_t FillDisc(const Eigen::Vector2d& center, double radius, float z, DepthImage* image) {
   if (!(center.x() >= -radius && center.x() <= image->width - 1 + radius && center.y() >= -radius &&
         center.y() <= image->height - 1 + radius)) {
-    return;
+    return 0;
   }
-  for (int row = FirstIndex(center.y() - radius);
-       row <= LastIndex(center.y() + radius, image->height); ++row) {
-    for (int column = FirstIndex(center.x() - radius);
-         column <= LastIndex(center.x() + radius, image->width); ++column) {
+  const int left = FirstIndex(center.x() - radius);
+  const int right = LastIndex(center.x() + radius, image->width);
+  const int top = FirstIndex(center.y() - radius);
+  const int bottom = LastIndex(center.y() + radius, image->height);
+  for (int row = top; row <= bottom; ++row) {
+    for (int column = left; column <= right; ++column) {
       if ((Eigen::Vector2d(column, row) - center).squaredNorm() > radius * radius) continue;
       PutNearer(z, column, row, image);
     }
   }
+  return static_cast<size_t>(std::max(0, bottom - top + 1)) *
+         static_cast<size_t>(std::max(0, right - left + 1));
 }
 
 }  // namespace limn

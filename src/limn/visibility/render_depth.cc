@@ -84,6 +84,7 @@ DepthImage RenderDepth(const TriangleMesh& mesh, const View& view, double scale)
     points.push_back(view.cam_from_world * vertex);
   const double near = kNearShare * LargestDepth(points);
   if (!(near > 0)) return image;
+  RasterWork work(image, mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     const std::array<Eigen::Vector3d, 3> triangle = {points[a], points[b], points[c]};
     const std::vector<Eigen::Vector3d> clipped = ClipToNear(triangle, near);
@@ -93,8 +94,8 @@ DepthImage RenderDepth(const TriangleMesh& mesh, const View& view, double scale)
       corners.push_back(image.FromVirtual(view.camera.Project(corner)));
     }
     const DepthOnPlane plane(triangle, clipped, view.camera);
-    FillPolygon(
-        corners, [&](const Eigen::Vector2d& pixel) { return plane.At(pixel); }, &image);
+    work.Add(FillPolygon(
+        corners, [&](const Eigen::Vector2d& pixel) { return plane.At(pixel); }, &image));
   }
   return image;
 }

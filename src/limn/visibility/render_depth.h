@@ -10,6 +10,7 @@ namespace limn {
 // are no cracks. Triangles that reach behind the camera are clipped. A triangle seen edge on, or
 // thinner than the depth pixels, may cover no center. Depths are exact up to rounding to float.
 // Deterministic. Time: triangles plus rows and pixels covered.
+// Throws InputError if these are too many (RasterWork).
 DepthImage RenderDepth(const TriangleMesh& mesh, const View& view, double scale);
 
 }  // namespace limn

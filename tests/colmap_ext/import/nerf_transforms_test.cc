@@ -166,9 +166,9 @@ TEST_F(NerfTransforms, BadFilesAreRefused) {
   const std::string text = File(known_).dump();
   EXPECT_THAT(Error(kNerfTransformsFormat,
                     dir_.WriteFile("transforms.json", text.substr(0, text.size() / 2))),
-              HasSubstr("parse error"));
+              HasSubstr("transforms.json: line 1: "));
   EXPECT_THAT(Error(kNerfTransformsFormat, dir_.WriteFile("transforms.json", "{\"fl_x\": nan}")),
-              HasSubstr("parse error"));
+              HasSubstr("transforms.json: line 1: "));
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """The Python package draws what the program draws; arrays, errors, options. Argument: the program limn."""
 
+import copy
 import gc
 import json
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -101,6 +103,49 @@ class Drawings(unittest.TestCase):
         with self.assertRaises(IndexError):
             drawing.links[len(drawing.links)]
         self.assertIn(f"{len(drawing.links)} links", repr(drawing))
+
+    def test_slices_are_lists(self):
+        links = self.drawing.links
+        self.assertEqual([link.id for link in links[2:9:3]], [2, 5, 8])
+        self.assertEqual([link.id for link in links[::-1]], list(range(len(links)))[::-1])
+        self.assertEqual((links[5:5], links[len(links):]), ([], []))
+        self.assertEqual([node.id for node in self.drawing.nodes[-2:]], [len(self.drawing.nodes) - k for k in (2, 1)])
+        with self.assertRaises(ValueError):
+            links[::0]
+
+    def test_objects_come_from_functions_only(self):
+        for one in vars(limn._limn).values():
+            if isinstance(one, type):
+                for make in (one, lambda one=one: one.__new__(one), lambda one=one: object.__new__(one),
+                             lambda one=one: type("Mine", (one,), {"__init__": lambda self: None})()):
+                    with self.subTest(type=one.__name__), self.assertRaises(TypeError):
+                        make()
+
+    def test_copies_are_the_same(self):
+        for one in (self.drawing, self.drawing.links, self.drawing.links[0], self.drawing.scene):
+            self.assertIs(copy.copy(one), one)
+            self.assertIs(copy.deepcopy([one])[0], one)
+
+    def test_pickles(self):
+        again = pickle.loads(pickle.dumps(self.drawing))
+        for name, drawing in (("one.json", self.drawing), ("other.json", again)):
+            drawing.save(self.output / name)
+        self.assertEqual((self.output / "one.json").read_bytes(), (self.output / "other.json").read_bytes())
+        self.assertIsNone(again.scene)
+        links, link, node, shape = pickle.loads(pickle.dumps((self.drawing.links, self.drawing.links[7],
+                                                              self.drawing.nodes[3], self.drawing.links[7].primitive)))
+        np.testing.assert_array_equal(link.points, self.drawing.links[7].points)
+        self.assertEqual((len(links), link.id, node.id), (len(self.drawing.links), 7, 3))
+        self.assertEqual(shape.type, self.drawing.links[7].primitive.type)
+        camera = pickle.loads(pickle.dumps(self.drawing.cameras[1]))
+        for name in ("name", "width", "height", "has_lens"):
+            self.assertEqual(getattr(camera, name), getattr(self.drawing.cameras[1], name))
+        for name in ("K", "R", "t", "center"):
+            np.testing.assert_array_equal(getattr(camera, name), getattr(self.drawing.cameras[1], name))
+        scene = pickle.loads(pickle.dumps(self.drawing.scene))
+        self.assertEqual(scene.names, self.drawing.scene.names)
+        with self.assertRaisesRegex(limn.IoError, "^pickled drawing: "):
+            limn._pickles.drawing(b"[]")
 
     def test_primitives(self):
         lines = [link for link in self.drawing.links if link.primitive and link.primitive.type == "line"]
@@ -281,6 +326,12 @@ class Drawings(unittest.TestCase):
         for stage in (limn.align, limn.refine, limn.regularize, limn.find_faces, limn.fuse):
             with self.assertRaises(TypeError):
                 stage(None)
+
+    def test_pickled_alignment(self):
+        aligned = limn.align(self.drawing)
+        one, other = aligned.alignment, pickle.loads(pickle.dumps(aligned.alignment))
+        np.testing.assert_array_equal(one.rotation, other.rotation)
+        self.assertEqual((one.scale, one.unit, one.up_from), (other.scale, other.unit, other.up_from))
 
     def test_regularize(self):
         path, folder = self.output / "irregular.json", self.output / "regular"

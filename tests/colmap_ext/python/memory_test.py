@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Cameras and images from memory give the drawing of the files, to the byte."""
 
+import pickle
 import struct
 import tempfile
 import types
@@ -167,6 +168,18 @@ class Memory(unittest.TestCase):
         floats = limn.Scene.from_arrays([image / 255.0 for image in images], K, R, t, names=names, **options)
         self.assertTrue(np.allclose(floats.image(names[0]), scene.image(names[0]), atol=1e-3))
 
+    def test_pictures_it_returns_are_pictures_it_takes(self):
+        images = [self.scene.image(name) for name in self.scene.names]
+        self.assertGreater(max(image.max() for image in images), 1)
+        images[0] = images[0] / 300  # a dark one among them
+        cameras = self.scene.cameras
+        scene = limn.Scene.from_arrays(images, *([getattr(camera, one) for camera in cameras] for one in "KRt"),
+                                       names=self.scene.names, **{**self.options, "image_list_path": None})
+        for name, image in zip(scene.names, images):
+            np.testing.assert_allclose(scene.image(name), image, atol=1e-3)
+        with self.assertRaisesRegex(limn.InputError, "a Scene in memory cannot be pickled: "):
+            pickle.dumps(scene)
+
     def test_bad_input(self):
         image, K, R, t = np.zeros((40, 60), np.uint8), np.diag([50, 50, 1]), np.eye(3), np.zeros(3)
         for arrays, text in ((([image], K, 2 * R, [t]), "arrays: image 0: "),
@@ -176,7 +189,11 @@ class Memory(unittest.TestCase):
                              (([image], K, "one", t), "^R: must be 1 x 3 x 3 numbers$"),
                              (([[[1, 2], [3]]], K, R, t), "^image image-0000: must be an array of H x W or"),
                              (([image.astype(int)], K, R, [t]), "^image image-0000: values must be uint8, uint16 or"),
-                             (([image + 2.0], K, R, [t]), "^image image-0000: floating-point values must be 0 to 1$"),
+                             (([image - 1.0], K, R, [t]), "^image image-0000: floating-point values must be 0 to 1, or"),
+                             (([image + 300.0], K, R, [t]), "^image image-0000: floating-point values must be 0 to 1, or"),
+                             (([np.broadcast_to(np.uint8(0), (20000, 20000, 3))] * 9, K, [R] * 9, [t] * 9),
+                              "^image image-0000: too large to decode: 20000 x 20000 pixels"),
+                             (([np.broadcast_to(np.float32(0), (10**6, 10**6))], K, R, [t]), "too large to decode"),
                              (([np.zeros((4, 5, 2), np.uint8)], K, R, [t]), "must be an array of H x W or H x W x 3$")):
             with self.subTest(text=text), self.assertRaisesRegex(limn.InputError, text):
                 limn.Scene.from_arrays(*arrays)

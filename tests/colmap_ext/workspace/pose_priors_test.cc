@@ -104,7 +104,7 @@ TEST_F(PosePriorsTest, BadDatabasesAreNamed) {
   EXPECT_THAT(ErrorOf(dir_.WriteFile("empty.db", "")),
               HasSubstr("empty.db: is not a database of COLMAP: it has no table pose_priors"));
   RunSql(path_, "CREATE TABLE pose_priors (position BLOB);");
-  EXPECT_THAT(ErrorOf(path_), AllOf(StartsWith(path_), HasSubstr("no such table: images")));
+  EXPECT_THAT(ErrorOf(path_), AllOf(StartsWith(path_), HasSubstr("has no table images")));
 }
 
 TEST_F(PosePriorsTest, BadValuesAreNamed) {
@@ -116,6 +116,42 @@ TEST_F(PosePriorsTest, BadValuesAreNamed) {
   EXPECT_THAT(ErrorOf(path_), HasSubstr("\": gravity has 1 bytes, not 24"));
   RunSql(path_, "UPDATE pose_priors SET gravity = NULL, position = 'twenty-four characters..'");
   EXPECT_THAT(ErrorOf(path_), StartsWith(path_ + ": prior of image \""));
+}
+
+// An endless program in place of a table.
+TEST_F(PosePriorsTest, NothingOfTheSchemaIsRun) {
+  const std::string endless =
+      "WITH RECURSIVE r(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM r) SELECT i AS image_id, NULL "
+      "AS"
+      " position, 1 AS coordinate_system FROM r";
+  WriteDatabase(path_, DatabaseVersion::k3_10, {{"a", {1, 2, 3}}});
+  RunSql(path_, "DROP TABLE pose_priors; CREATE VIEW pose_priors AS " + endless);
+  EXPECT_THAT(ErrorOf(path_), HasSubstr("pose_priors is a view or a virtual table"));
+  // A view that says that it is a table.
+  RunSql(path_,
+         "PRAGMA writable_schema = 1; UPDATE sqlite_master SET type = 'table', rootpage = 2 "
+         "WHERE name = 'pose_priors'");
+  EXPECT_THAT(ErrorOf(path_), StartsWith(path_ + ": "));
+  RunSql(path_, "PRAGMA writable_schema = 1; DELETE FROM sqlite_master WHERE name = 'pose_priors'");
+  RunSql(path_,
+         "CREATE TABLE pose_priors (image_id INTEGER PRIMARY KEY, position AS "
+         "(zeroblob(900000000)), coordinate_system INTEGER)");
+  EXPECT_THAT(ErrorOf(path_), HasSubstr("column position of pose_priors is computed"));
+}
+
+TEST_F(PosePriorsTest, WorkAndLengthsHaveLimits) {
+  WriteDatabase(path_, DatabaseVersion::k3_10, {{"a", {1, 2, 3}}});
+  RunSql(path_, "UPDATE pose_priors SET position = zeroblob(2000000)");
+  EXPECT_THAT(ErrorOf(path_), HasSubstr("has a value of more than 1048576 bytes"));
+  // All rows of one table fit all of the other.
+  RunSql(path_,
+         "DROP TABLE images; DROP TABLE pose_priors; CREATE TABLE images (image_id INTEGER, name "
+         "TEXT);"
+         "CREATE TABLE pose_priors (image_id INTEGER, position BLOB, coordinate_system INTEGER);"
+         "WITH RECURSIVE r(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM r LIMIT 30000)"
+         "INSERT INTO images SELECT 1, 'x' FROM r; INSERT INTO pose_priors SELECT 1, NULL, 1 FROM "
+         "images");
+  EXPECT_THAT(ErrorOf(path_), HasSubstr("takes more work than any database of COLMAP"));
 }
 
 TEST_F(PosePriorsTest, OnlyThoseOfTheImagesAreReadAndChecked) {

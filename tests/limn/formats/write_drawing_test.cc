@@ -453,7 +453,66 @@ TEST(WriteDrawing, BrokenJsonIsRefused) {
   EXPECT_THAT([&] { ReadDrawingJson(with("\"sub/b c.png\"", "\"a.png\"")); },
               ThrowsMessage<IoError>(HasSubstr("view \"a.png\" is listed twice")));
   EXPECT_THAT([&] { ReadDrawingJson(with(R"({"z":1,"a":{"b":[2.5]}})", "[]")); },
-              ThrowsMessage<IoError>(HasSubstr("\"options\" is not an object")));
+              ThrowsMessage<IoError>(HasSubstr("options: an object expected")));
+}
+
+// Other programs sort the members.
+TEST(WriteDrawing, JsonIsReadInAnyOrderOfMembers) {
+  const TemporaryFolder folder;
+  WriteDrawing(folder.Path("d.json"), SmallDrawing(), SmallMetadata());
+  const std::string sorted =
+      nlohmann::json::parse(TemporaryFolder::Read(folder.Path("d.json"))).dump();
+  ASSERT_LT(sorted.find("\"links\""), sorted.find("\"views\""));
+  const DrawingFile file = ReadDrawingJson(folder.Write("sorted.json", sorted));
+  WriteDrawing(folder.Path("again.json"), file.graph, file.metadata);
+  EXPECT_EQ(nlohmann::json::parse(TemporaryFolder::Read(folder.Path("again.json"))).dump(), sorted);
+}
+
+TEST(WriteDrawing, JsonHasLimitsOfNumbersAndErrorsNameThePlace) {
+  const TemporaryFolder folder;
+  DrawingGraph graph = SmallDrawing();
+  graph.links[1].primitive = LinkPrimitive{LineSegment{{-1, 1e-17, 0}, {0, 0, 0}}};
+  graph.dimensions = {{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}};
+  WriteDrawing(folder.Path("d.json"), graph, SmallMetadata());
+  const std::string text = TemporaryFolder::Read(folder.Path("d.json"));
+  const auto said_of = [&](const std::string& from, const std::string& to) -> std::string {
+    const size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    try {
+      ParseDrawingJson("d.json", std::string(text).replace(at, from.size(), to));
+    } catch (const IoError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(said_of(R"("from":[0.0,)", R"("from":[1e300,)"),
+            "d.json: dimensions[0].from[0]: a number from -1e15 to 1e15 expected");
+  EXPECT_EQ(said_of(R"("residual_px":0.1)", R"("residual_px":"0.1")"),
+            "d.json: links[0].residual_px: a number expected");
+  EXPECT_EQ(said_of(R"("members":[[3,0,7])", R"("members":[[3,0])"),
+            "d.json: links[0].members[0]: a list of 3 expected, not of 2");
+  EXPECT_EQ(said_of(R"("start":[-1.0,)", R"("start":[1e6,)"),
+            "d.json: no valid drawing: link 1: primitive: it is not where the points of the link "
+            "are");
+}
+
+TEST(WriteDrawing, JsonOfAHubIsReadInLinearTime) {
+  constexpr int kNumLinks = 100'000;
+  DrawingGraph graph;
+  graph.nodes.resize(kNumLinks + 1);
+  for (int i = 0; i < kNumLinks; ++i) {
+    graph.nodes[i + 1].position_in_world = {1, 1e-3 * i, 0};
+    DrawingLink link;
+    link.points_in_world = {{0, 0, 0}, graph.nodes[i + 1].position_in_world};
+    link.sigma = {1, 1};
+    link.node0 = 0;
+    link.node1 = i + 1;
+    graph.links.push_back(link);
+  }
+  RebuildIncidence(&graph);
+  const TemporaryFolder folder;
+  WriteDrawing(folder.Path("d.json"), graph, SmallMetadata());
+  EXPECT_EQ(ReadDrawingJson(folder.Path("d.json")).graph.nodes[0].Degree(), kNumLinks);
 }
 
 TEST(WriteDrawing, JsonNamesRefinedCameras) {

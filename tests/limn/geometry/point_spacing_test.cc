@@ -22,5 +22,11 @@ TEST(PointSpacing, WithoutNeighborsThereIsNone) {
   EXPECT_DOUBLE_EQ(PointSpacing({{1, 2, 3}, {1, 2, 5}}), 2);
 }
 
+TEST(PointSpacing, OfManyCopiesTakesNoSquareTime) {
+  std::vector<Eigen::Vector3d> points(300'000, Eigen::Vector3d(1, 2, 3));
+  points.resize(600'000, Eigen::Vector3d(1, 2, 5));
+  EXPECT_DOUBLE_EQ(PointSpacing(points), 2);
+}
+
 }  // namespace
 }  // namespace limn

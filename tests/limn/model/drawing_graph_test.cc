@@ -119,6 +119,11 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"DoubtedButNotTentative",
                  [](DrawingGraph* g) { g->links[1].doubt = LinkDoubt::kChance; },
                  "link 1: doubted, but not tentative"},
+        Breakage{"PrimitiveElsewhere",
+                 [](DrawingGraph* g) {
+                   g->links[1].primitive = LinkPrimitive{LineSegment{{0, 1, 0}, {1e6, 0, 0}}};
+                 },
+                 "link 1: primitive: it is not where the points of the link are"},
         Breakage{"ZeroLength",
                  [](DrawingGraph* g) {
                    for (auto& point : g->links[2].points_in_world) point.setZero();
