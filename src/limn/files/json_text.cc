@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/files/text_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -24,6 +25,7 @@ std::string Complaint(const Json::exception& error) {
 }  // namespace
 
 Json ParseJson(const std::string& path, const std::string& text) {
+  MarkLength(path, text);  // the parser skips the mark
   const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
     if (depth > kMaxDepth) {
       throw IoError(path, "JSON nested more than " + std::to_string(kMaxDepth) + " deep");
