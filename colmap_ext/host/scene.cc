@@ -120,8 +120,7 @@ void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptio
                     : " (in " + std::to_string(views().size()) + " views: panoramas in parts)") +
                ", " + std::to_string(view_set_.hints.points.size()) + " 3D points");
   const std::string masks_note = mask_path.empty() ? MasksNote(layout_.image_dir) : "";
-  for (const std::string& note :
-       {masks_note, ShrinkingNote(view_set_), EnlargingNote(view_set_)}) {
+  for (const std::string& note : {masks_note, ShrinkingNote(view_set_), EnlargingNote(view_set_)}) {
     if (!note.empty()) console->Say(note);
   }
   if (!origin_.isZero()) {

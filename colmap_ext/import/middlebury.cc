@@ -1,8 +1,8 @@
 #include "colmap_ext/import/middlebury.h"
 
 #include "colmap_ext/import/calibration.h"
-#include "limn/files/text_scanner.h"
 #include "limn/files/text_file.h"
+#include "limn/files/text_scanner.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "colmap_ext/import/measurement_distortion.h"
-#include "limn/files/text_scanner.h"
 #include "limn/files/text_file.h"
+#include "limn/files/text_scanner.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -3,8 +3,8 @@
 #include "colmap_ext/import/calibration.h"
 #include "colmap_ext/import/file_matching.h"
 #include "colmap_ext/model/projection_matrix.h"
-#include "limn/files/text_scanner.h"
 #include "limn/files/text_file.h"
+#include "limn/files/text_scanner.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -324,12 +324,13 @@ void BindLink(py::module_* module) {
           "After limn.fuse: 'surface', 'boundary', 'free' or 'unknown'; else None.")
       .def_property_readonly("supporting_views", SupportingViews,
                              "Names of the images with edges along it.")
-      .def_property_readonly("tracks", TracksOf,
-                             "The link in its supporting images: name of the image to M x 2 "
-                             "polyline (x, y), px of the image as stored, as in tracks.txt but with "
-                             "the center of the top-left pixel at (0, 0). Rows of not-a-number "
-                             "separate visible parts. Columns of a panorama run from -1/8 to 7/8 "
-                             "of its width.")
+      .def_property_readonly(
+          "tracks", TracksOf,
+          "The link in its supporting images: name of the image to M x 2 "
+          "polyline (x, y), px of the image as stored, as in tracks.txt but with "
+          "the center of the top-left pixel at (0, 0). Rows of not-a-number "
+          "separate visible parts. Columns of a panorama run from -1/8 to 7/8 "
+          "of its width.")
       .def("__len__", [](const Link& link) { return link.Get().points_in_world.size(); })
       .def("__repr__", [](const Link& link) {
         return "<limn.Link " + std::to_string(link.id) + ": " + std::to_string(link.Get().size()) +

@@ -23,9 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 12> kPictureEnds = {
-    ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp", ".jp2", ".pgm", ".ppm", ".pbm",
-    ".pnm"};
+constexpr std::array<std::string_view, 12> kPictureEnds = {".png",  ".jpg", ".jpeg", ".tif",
+                                                           ".tiff", ".bmp", ".webp", ".jp2",
+                                                           ".pgm",  ".ppm", ".pbm",  ".pnm"};
 
 bool IsRegularFile(const fs::path& path) {
   std::error_code ignored;
@@ -155,8 +155,8 @@ std::string ExpectedMask(const std::string& image_name) { return image_name + ".
 [[noreturn]] void FailNoMask(const fs::path& folder, const std::string& image, size_t num_images,
                              const std::vector<std::string>& files) {
   throw IoError(folder.string(),
-                "has a mask for none of the " + std::to_string(num_images) +
-                    " images: that of \"" + image + "\" would be " + ExpectedMask(image) + ", " +
+                "has a mask for none of the " + std::to_string(num_images) + " images: that of \"" +
+                    image + "\" would be " + ExpectedMask(image) + ", " +
                     (files.empty() ? "but there is no picture" : "there is " + files.front()) +
                     " (mask_path)");
 }
@@ -193,9 +193,7 @@ class FolderMasks {
   }
 
  private:
-  size_t CountMissing() const {
-    return static_cast<size_t>(std::ranges::count(paths_, ""));
-  }
+  size_t CountMissing() const { return static_cast<size_t>(std::ranges::count(paths_, "")); }
 
   void FindOthers() {
     const FileSet taken(paths_);

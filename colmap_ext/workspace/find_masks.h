@@ -20,7 +20,8 @@ struct FoundMasks {
 //              named as it is, with or without its extension, with any extension, and with or
 //              without the word "mask" before or behind; in the same sub-folder, or anywhere below
 //              if that is unambiguous. Photographs themselves are no masks.
-//   a text     lines "<image name><tab><path of its mask>", as model_importer writes it (masks.txt);
+//   a text     lines "<image name><tab><path of its mask>", as model_importer writes it
+//   (masks.txt);
 //              paths are relative to the folder of the text
 //   a picture  the mask of all images
 // Nothing if the path is empty. Images without a mask are counted in a warning. Throws IoError: no

@@ -15,8 +15,9 @@ struct ImageFiles {
   std::vector<std::string> notes;  // for the user: what was found under other names
 };
 
-// The files of these images (indices into model.images): those with the bytes of their names, else
-// those with the same name in other bytes (MatchNames), for which the folder is listed. Paths of
+// The files of these images (indices into model.images): those with the bytes of their names; else
+// the same without a first folder that is called as the folder of images; else those with the same
+// name in other bytes (MatchNames), for which the folder is listed. Paths of
 // other images are empty. Throws IoError if two files fit a name equally well.
 ImageFiles FindImageFiles(const SparseModel& model, const std::vector<int>& images,
                           const std::filesystem::path& image_dir, const PhotoStore& photos);

@@ -20,7 +20,7 @@ struct LevelRange {
 // header. The defaults: as stored.
 struct ImageForm {
   int orientation = 1;  // how it is turned, as EXIF numbers it (ImageTraits)
-  std::optional<LevelRange> range;
+  std::optional<LevelRange> range = std::nullopt;
   bool has_mask = false;  // the alpha channel: where it is less than half opaque nothing is used
 
   bool operator==(const ImageForm&) const = default;

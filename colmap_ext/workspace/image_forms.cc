@@ -99,10 +99,10 @@ void SetRanges(const std::vector<ImageTraits>& traits, const std::vector<PixelSc
     const auto range = values ? RangeToShow(*values) : std::nullopt;
     if (!range) continue;
     for (const size_t i : alike) (*files)[i].form.range = range;
-    notes->push_back(std::to_string(alike.size()) +
-                     " images of 16 bits use values from " + WholeNumber(values->low) + " to " +
-                     WholeNumber(values->high) + " of 65535 only: " + WholeNumber(range->low) +
-                     " is taken as black and " + WholeNumber(range->high) + " as white");
+    notes->push_back(std::to_string(alike.size()) + " images of 16 bits use values from " +
+                     WholeNumber(values->low) + " to " + WholeNumber(values->high) +
+                     " of 65535 only: " + WholeNumber(range->low) + " is taken as black and " +
+                     WholeNumber(range->high) + " as white");
   }
 }
 

@@ -125,8 +125,7 @@ cv::Mat DecodeTiff(const fs::path& path, int flags) {
     return cv::imread(path.string(), flags);
   }
   const std::string bytes = WithFirstDirectory(ReadWholeFile(path.string()), *directory);
-  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
-                       const_cast<char*>(bytes.data()));
+  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
   return cv::imdecode(buffer, flags);
 }
 
@@ -430,7 +429,8 @@ PixelScan ScanPixels(const fs::path& path) {
       const auto num_opaque = static_cast<size_t>(cv::countNonZero(opaque));
       scan.has_mask = num_opaque > 0 && num_opaque < opaque.total();
     }
-    if (decoded.depth() == CV_16U) scan.values = RangeOf(decoded, scan.has_mask ? opaque : cv::Mat());
+    if (decoded.depth() == CV_16U)
+      scan.values = RangeOf(decoded, scan.has_mask ? opaque : cv::Mat());
     return scan;
   });
 }

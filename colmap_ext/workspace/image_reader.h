@@ -37,9 +37,10 @@ CheckedImage CheckImage(const std::filesystem::path& path, int max_image_size);
 
 // Decodes a photograph that CheckImage has found whole: 8 or 16 bits per channel, gray or color
 // (for alpha see ReadAlpha), turned and stretched as `form` says, by default as stored; values in
-// gray levels 0..255, color as RGB. Shrunk by an area filter to ShrunkSize; JPEG files of more than 16 megapixels are decoded at a half, a
-// quarter or an eighth of their size if that is at least twice the size wanted. Throws IoError as
-// CheckDecodable does, and if the file cannot be decoded or has another bit depth.
+// gray levels 0..255, color as RGB. Shrunk by an area filter to ShrunkSize; JPEG files of more than
+// 16 megapixels are decoded at a half, a quarter or an eighth of their size if that is at least
+// twice the size wanted. Throws IoError as CheckDecodable does, and if the file cannot be decoded
+// or has another bit depth.
 Image ReadImage(const std::filesystem::path& path, int max_image_size = -1,
                 const ImageForm& form = {});
 

@@ -31,6 +31,7 @@ struct JpegReport {
   bool has_memory = true;
   bool has_header = false;
   bool has_end = true;        // its end marker
+  bool runs_out = false;      // of codes before the picture is complete
   bool has_all_scans = true;  // meaningful if that is missing
   // The codes of pixels, of a file in which many zero bytes cannot be such codes; else empty.
   std::string_view codes;
@@ -79,6 +80,9 @@ void TakeMessage(j_common_ptr decoder, int level) {
   if (level >= 0) return;
   const int message = decoder->err->msg_code;
   if (message == JWRN_EXTRANEOUS_DATA && IsPadding(decoder)) return;
+  if (message == JWRN_HIT_MARKER || message == JWRN_MUST_RESYNC) {
+    ReportOf(decoder)->runs_out = true;
+  }
   if (message == JWRN_JPEG_EOF) {
     ReportOf(decoder)->has_end = false;
     return;
@@ -172,10 +176,9 @@ void ReadRows(int reduction, jpeg_decompress_struct* decoder, std::vector<JSAMPL
 
 // Without its end marker.
 void ComplainOfEnd(JpegReport* report) {
-  const bool is_damaged = report->complaint && report->complaint->is_damage;
-  if (is_damaged || !report->has_all_scans || !report->error.empty()) {
+  if (report->runs_out || !report->has_all_scans || !report->error.empty()) {
     report->complaint = {"the file ends before the picture does", true, true};
-  } else {
+  } else if (!report->complaint || !report->complaint->is_damage) {
     report->complaint = {"lacks the end marker of a JPEG file, but nothing of its picture"};
   }
 }

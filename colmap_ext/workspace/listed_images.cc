@@ -28,7 +28,8 @@ std::vector<std::string> ReadLines(const std::string& path) {
 // The text and what follows its first folder, its second and so on: longest first.
 std::vector<std::string> EndsOf(const std::string& text) {
   std::vector<std::string> ends = {text};
-  for (size_t slash = text.find('/'); slash != std::string::npos; slash = text.find('/', slash + 1)) {
+  for (size_t slash = text.find('/'); slash != std::string::npos;
+       slash = text.find('/', slash + 1)) {
     ends.push_back(text.substr(slash + 1));
   }
   return ends;
@@ -77,28 +78,40 @@ size_t CountFound(const Found& found) {
       std::ranges::count_if(found, [](const auto& name) { return name.has_value(); }));
 }
 
-Found FindUnder(const std::vector<std::string>& lines, const NameEncoding& of_lines,
-                const NameIndex& index) {
-  Found found(lines.size());
-  for (size_t i = 0; i < lines.size(); ++i) {
-    const auto text = TextOfName(lines[i], of_lines);
-    const std::string* name = text ? index.Find(*text) : nullptr;
+Found FindUnder(const std::vector<std::optional<std::string>>& texts, const NameIndex& index) {
+  Found found(texts.size());
+  for (size_t i = 0; i < texts.size(); ++i) {
+    const std::string* name = texts[i] ? index.Find(*texts[i]) : nullptr;
     if (name) found[i] = *name;
   }
   return found;
 }
 
-// Under the encodings that find most.
+// Those that names of images may be in.
+std::vector<NameEncoding> EncodingsOf(const SparseModel& model) {
+  std::vector<NameEncoding> encodings = NameEncodings();
+  const bool are_utf8 = std::ranges::all_of(
+      model.images, [](const ModelImage& image) { return image.name_bytes.empty(); });
+  std::erase_if(encodings, [&](const NameEncoding& encoding) {
+    return !encoding.mistaken_for.empty() || (are_utf8 && !encoding.code_page.empty());
+  });
+  return encodings;
+}
+
+// Under the encodings of lines and of names that find most; UTF-8 comes first.
 Found FindAll(const std::vector<std::string>& lines, const SparseModel& model) {
-  const NameIndex in_utf8(model, NameEncodings().front());
-  Found best = FindUnder(lines, NameEncodings().front(), in_utf8);
+  Found best(lines.size());
+  if (lines.empty()) return best;
+  std::vector<NameIndex> indices;
+  for (const NameEncoding& encoding : EncodingsOf(model)) indices.emplace_back(model, encoding);
   for (const NameEncoding& encoding : NameEncodings()) {
-    if (CountFound(best) == lines.size()) break;
-    const bool names_are_utf8 = std::ranges::all_of(
-        model.images, [](const ModelImage& image) { return image.name_bytes.empty(); });
-    Found found = FindUnder(lines, encoding,
-                            names_are_utf8 ? in_utf8 : NameIndex(model, encoding));
-    if (CountFound(found) > CountFound(best)) best = std::move(found);
+    std::vector<std::optional<std::string>> texts;
+    for (const std::string& line : lines) texts.push_back(TextOfName(line, encoding));
+    for (const NameIndex& index : indices) {
+      Found found = FindUnder(texts, index);
+      if (CountFound(found) > CountFound(best)) best = std::move(found);
+      if (CountFound(best) == lines.size()) return best;
+    }
   }
   return best;
 }

@@ -62,8 +62,7 @@ std::vector<Way> AllWays() {
   }
   for (size_t a = 1; a < encodings.size(); ++a) {
     for (size_t b = 1; b < encodings.size(); ++b) {
-      const bool are_plain =
-          encodings[a].mistaken_for.empty() && encodings[b].mistaken_for.empty();
+      const bool are_plain = encodings[a].mistaken_for.empty() && encodings[b].mistaken_for.empty();
       if (a != b && are_plain) ways.push_back({a, b});
     }
   }
@@ -134,8 +133,8 @@ class Matcher {
     for (const Way& way : AllWays()) {
       std::vector<int> file_of =
           FilesUnder(texts_of_names_.Under(way.of_names), places[way.of_files], is_open_);
-      const auto count = static_cast<int>(
-          std::ranges::count_if(file_of, [](int file) { return file >= 0; }));
+      const auto count =
+          static_cast<int>(std::ranges::count_if(file_of, [](int file) { return file >= 0; }));
       if (count > best.count) {
         best = {way, std::move(file_of), {}, count};
       } else if (count == best.count && count > 0) {
@@ -169,8 +168,8 @@ class Matcher {
       ++count;
     }
     if (count == 0) return;
-    matches_.ways.push_back(DescribeWay(round.way, count, names_[example],
-                                        files_[matches_.file_of[example]]));
+    matches_.ways.push_back(
+        DescribeWay(round.way, count, names_[example], files_[matches_.file_of[example]]));
   }
 
   const std::vector<std::string>& names_;

@@ -48,9 +48,8 @@ std::optional<Utf16> ToUtf16(std::string_view bytes, const std::string& code_pag
   if (!converter) return std::nullopt;
   Utf16 text(2 * bytes.size() + 1, 0);
   UErrorCode error = U_ZERO_ERROR;
-  const int32_t size =
-      ucnv_toUChars(converter, text.data(), static_cast<int32_t>(text.size()), bytes.data(),
-                    static_cast<int32_t>(bytes.size()), &error);
+  const int32_t size = ucnv_toUChars(converter, text.data(), static_cast<int32_t>(text.size()),
+                                     bytes.data(), static_cast<int32_t>(bytes.size()), &error);
   if (U_FAILURE(error)) return std::nullopt;
   text.resize(static_cast<size_t>(size));
   return text;
@@ -61,9 +60,8 @@ std::optional<std::string> FromUtf16(const Utf16& text, const std::string& code_
   if (!converter) return std::nullopt;
   std::string bytes(4 * text.size() + 16, '\0');
   UErrorCode error = U_ZERO_ERROR;
-  const int32_t size =
-      ucnv_fromUChars(converter, bytes.data(), static_cast<int32_t>(bytes.size()), text.data(),
-                      static_cast<int32_t>(text.size()), &error);
+  const int32_t size = ucnv_fromUChars(converter, bytes.data(), static_cast<int32_t>(bytes.size()),
+                                       text.data(), static_cast<int32_t>(text.size()), &error);
   if (U_FAILURE(error)) return std::nullopt;
   bytes.resize(static_cast<size_t>(size));
   return bytes;

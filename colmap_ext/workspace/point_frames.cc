@@ -52,7 +52,8 @@ std::vector<PointPair> PairsOf(const ModelImage& image, const Camera& camera,
     const Eigen::Vector3d ray = image.cam_from_world * point->second->position;
     if (!(ray.z() > 0)) continue;
     const auto pixel = projection.PixelFromRay(ray.hnormalized());
-    const bool is_near = pixel && (pixel->array() > -size).all() && (pixel->array() < 2 * size).all();
+    const bool is_near =
+        pixel && (pixel->array() > -size).all() && (pixel->array() < 2 * size).all();
     if (is_near) pairs.push_back({observation.position, *pixel});
   }
   return pairs;
@@ -151,8 +152,8 @@ void KeepAlike(const Eigen::Array2d& size, std::vector<JudgedImage>* images) {
     num_outside += is_alike && image.is_outside;
   }
   const bool are_enough = num_alike >= kMinAlike || num_outside > 0;
-  if (are_enough && static_cast<double>(num_alike) >=
-                        kMinShareAlike * static_cast<double>(images->size())) {
+  if (are_enough &&
+      static_cast<double>(num_alike) >= kMinShareAlike * static_cast<double>(images->size())) {
     return;
   }
   for (JudgedImage& image : *images) image.frame.reset();
@@ -193,15 +194,13 @@ PointFrames FindPointFrames(const SparseModel& model, const std::vector<int>& im
   return frames;
 }
 
-std::string DescribeFrames(const PointFrames& frames, const SparseModel& model,
-                           size_t num_images) {
+std::string DescribeFrames(const PointFrames& frames, const SparseModel& model, size_t num_images) {
   int first = frames.begin()->first;
   for (const auto& [index, frame] : frames) {
     if (model.images[index].name < model.images[first].name) first = index;
   }
   const PointFrame& frame = frames.at(first);
-  return "the 2D points of " + std::to_string(frames.size()) + " of " +
-         std::to_string(num_images) +
+  return "the 2D points of " + std::to_string(frames.size()) + " of " + std::to_string(num_images) +
          " images are pixels of pictures of another size, such as resized, padded or cropped "
          "ones: they fit the cameras after scaling by " +
          Pair(1 / frame.scale) + " (" + model.images[first].name +

@@ -30,8 +30,8 @@ std::vector<int> ImagesToUse(const SparseModel& model, const std::string& image_
     }
   }
   if (!listed.unknown.empty()) {
-    throw IoError(image_list_path, "image \"" + listed.unknown + "\" is not registered in " +
-                                       model.folder.string());
+    throw IoError(image_list_path,
+                  "image \"" + listed.unknown + "\" is not registered in " + model.folder.string());
   }
   if (!image_list_path.empty() && listed.names.empty()) {
     throw InputError(image_list_path + ": names no image");

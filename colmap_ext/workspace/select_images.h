@@ -21,10 +21,10 @@ struct SelectedImages {
   std::vector<std::string> notes;  // what else the user should know
 };
 
-// Those in the list (ReadListedImages), or all without one; their files as FindImageFiles says. Images far outside the scene of the others (SceneReach)
-// and duplicates (FindDuplicateImages) are left out with warnings; of duplicates, the one with the
-// most 2D points stays. Throws IoError if a name in the list is not registered or a file is
-// missing, InputError if no image is left.
+// Those in the list (ReadListedImages), or all without one; their files as FindImageFiles says.
+// Images far outside the scene of the others (SceneReach) and duplicates (FindDuplicateImages) are
+// left out with warnings; of duplicates, the one with the most 2D points stays. Throws IoError if a
+// name in the list is not registered or a file is missing, InputError if no image is left.
 SelectedImages SelectImages(const SparseModel& model, const std::filesystem::path& image_dir,
                             const std::string& image_list_path, const PhotoStore& photos,
                             const RunContext& context);

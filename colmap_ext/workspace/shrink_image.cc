@@ -48,7 +48,7 @@ void ShrinkRowByRow(const cv::Mat& image, const Shrinking& shrinking, cv::Mat* r
     const cv::Range range(static_cast<int>(begin), static_cast<int>(std::ceil(end)));
     cv::Mat levels, narrow;
     image.rowRange(range).convertTo(levels, CV_32F, shrinking.scale * factors.y,
-                                   shrinking.shift * factors.y);
+                                    shrinking.shift * factors.y);
     cv::resize(levels, narrow, {}, factors.x, 1, cv::INTER_AREA);
     for (int i = range.start; i < range.end; ++i) {
       const double share = std::min(end, i + 1.0) - std::max<double>(begin, i);

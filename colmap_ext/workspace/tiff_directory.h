@@ -16,9 +16,9 @@ struct TiffDirectory {
   ImageSize size;
   int bits = 8;  // per channel
   bool has_alpha = false;
-  int orientation = 1;  // 1 to 8, as of EXIF
+  int orientation = 1;              // 1 to 8, as of EXIF
   uint64_t orientation_offset = 0;  // of its value; 0: the file has none
-  bool is_raw = false;  // values of single color sensors, which must be developed
+  bool is_raw = false;              // values of single color sensors, which must be developed
 };
 
 // The largest picture of a TIFF or BigTIFF file; of several the first. Transparency masks are none.

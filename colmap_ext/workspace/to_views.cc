@@ -217,9 +217,8 @@ std::vector<ViewFile> ReadFiles(const SparseModel& model, const SelectedImages& 
   for (size_t i = 0; i < files.size(); ++i) {
     if (!complaints[i]) continue;
     files[i].is_damaged = complaints[i]->is_damage;
-    set->warnings.push_back(
-        files[i].image_path + ": " + complaints[i]->text +
-        (complaints[i]->is_damage ? "; the whole image counts as masked" : ""));
+    set->warnings.push_back(files[i].image_path + ": " + complaints[i]->text +
+                            (complaints[i]->is_damage ? "; the whole image counts as masked" : ""));
   }
   SetForms(model, used.images, photos, context, &files, &set->notes);
   NoteScaledMasks(files, &set->notes);
@@ -452,8 +451,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   set.notes = used.notes;
   set.max_image_size = options.max_image_size;
   set.photos = photos;
-  const std::vector<ViewFile> files =
-      ReadFiles(model, used, options, photos, context, &set);
+  const std::vector<ViewFile> files = ReadFiles(model, used, options, photos, context, &set);
   const std::vector<double> scales = MeasureScales(model, used, files, options, photos, context);
   AddViews(model, used.images, files, scales, options, context, &set);
   ApplyMasks(options.border_margin_px, context, &set);

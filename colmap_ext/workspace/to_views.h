@@ -58,8 +58,8 @@ double ScaleOf(double edge_blur_px, double max_scale);
 // points that are pixels of pictures of another size count where they belong (FindPointFrames).
 //
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
-// the list is not registered, a mask has another aspect, and what FindMasks throws. Throws InputError if no image is left, and
-// what HoldImages throws.
+// the list is not registered, a mask has another aspect, and what FindMasks throws. Throws
+// InputError if no image is left, and what HoldImages throws.
 ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,
                 const ViewOptions& options, const RunContext& context = {},
                 const PhotoStore& photos = {});

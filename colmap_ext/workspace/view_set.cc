@@ -83,7 +83,9 @@ Image Cut(const Image& image, const ImageWindow& window) {
 Image ReadPixels(const ViewSet& set, ViewId view) {
   if (set.files[view].is_damaged) return BlackImage(set.ReadSize(view));
   const std::string& path = set.files[view].image_path;
-  const auto decode = [&] { return set.photos.Read(path, set.MaxFileSize(view), set.files[view].form); };
+  const auto decode = [&] {
+    return set.photos.Read(path, set.MaxFileSize(view), set.files[view].form);
+  };
   const ImageWindow* window = set.Window(view);
   if (!window) return decode();
   const auto whole = set.decoded->images.Get(path, IsLastPart(set, view), decode);

@@ -75,9 +75,9 @@ struct ViewSet {
 int MaxSizeOfFile(bool is_panorama, int max_image_size);
 
 // A view of the set (with a refined camera, maybe), with the name of its image, and pixels of the
-// whole image as it is stored, whatever the size at which it is used. Columns of a panorama continue
-// across its left border: they run from -1/8 to 7/8 of its width. For tracks: of views with a lens
-// cameras stay.
+// whole image as it is stored, whatever the size at which it is used. Columns of a panorama
+// continue across its left border: they run from -1/8 to 7/8 of its width. For tracks: of views
+// with a lens cameras stay.
 View InStoredImage(const ViewSet& view_set, ViewId id, View view);
 std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> views);
 

@@ -130,9 +130,9 @@ def cases(seed, count):
         command = chooser.choice([hostile.drawer('--page', '0', *options), hostile.drawer(*options),
                                   ['edge_extractor', '--workspace_path', '{dir}/ws', '--output_path', '{dir}/out', *options]])
         must_run = way in ('same', 'other', 'back slashes', 'random bytes', 'two files') and list_kind in (
-            'none', 'as in the model', 'images/', 'bom')
+            'none', 'as in the model', 'as on the disk', 'windows', 'images/', 'bom')
         # Of bytes that are no text nothing but a list of the same bytes is sure.
-        must_run = must_run and not (way == 'random bytes' and list_kind == 'images/')
+        must_run = must_run and not (way == 'random bytes' and list_kind in ('images/', 'windows'))
         must_fail = way in ('all missing', 'two names') or list_kind == 'utf-16'
         yield hostile.Case(f'{way}, list {list_kind}', prepare_with(way, list_kind), [command],
                            names=['missing', 'occurs twice', 'list.txt', 'same name', 'at least 3', 'images/'],

@@ -150,7 +150,7 @@ def picture(kind, grays, chooser):
         return png(HEIGHT, WIDTH, turned(grays))
     whole = jpeg(grays, chooser.randrange(1, 9) if kind == 'jpeg exif' else 0)
     if kind == 'jpeg without end':
-        return whole[:-chooser.choice([1, 2])] + chooser.choice([b'', b'', bytes(100)])
+        return chooser.choice([whole[:-1], whole[:-2], whole[:-2] + bytes(100)])
     if kind == 'jpeg cut':
         return whole[:chooser.randrange(2, len(whole) - 40)]
     if kind == 'jpeg and more':

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <ostream>
 
-#include "limn/files/text_scanner.h"
 #include "limn/files/text_file.h"
+#include "limn/files/text_scanner.h"
 #include "limn/formats/check_edgel.h"
 #include "limn/util/number_text.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <ostream>
 
-#include "limn/files/text_scanner.h"
 #include "limn/files/text_file.h"
+#include "limn/files/text_scanner.h"
 #include "limn/formats/check_edgel.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"

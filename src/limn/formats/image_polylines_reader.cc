@@ -1,7 +1,7 @@
 #include "limn/formats/image_polylines_reader.h"
 
-#include "limn/files/text_scanner.h"
 #include "limn/files/text_file.h"
+#include "limn/files/text_scanner.h"
 #include "limn/model/edge_map.h"
 
 namespace limn {

@@ -1,7 +1,7 @@
 #include "limn/formats/line3dpp_reader.h"
 
-#include "limn/files/text_scanner.h"
 #include "limn/files/text_file.h"
+#include "limn/files/text_scanner.h"
 
 namespace limn {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "limn/files/text_scanner.h"
 #include "limn/files/text_file.h"
+#include "limn/files/text_scanner.h"
 #include "limn/formats/curve_chains.h"
 #include "limn/util/errors.h"
 

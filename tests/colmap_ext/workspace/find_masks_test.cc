@@ -122,15 +122,21 @@ TEST_F(FindMasksTest, PhotographsAreNoMasks) {
 }
 
 TEST_F(FindMasksTest, NamesThatLookTheSameAreTheSame) {
-  AddImages({"fa\xC3\xA7" "ade.jpg"});
-  AddMasks({"fac\xCC\xA7" "ade.png"});
-  EXPECT_EQ(Find().paths[0], Mask("fac\xCC\xA7" "ade.png"));
+  AddImages(
+      {"fa\xC3\xA7"
+       "ade.jpg"});
+  AddMasks(
+      {"fac\xCC\xA7"
+       "ade.png"});
+  EXPECT_EQ(Find().paths[0], Mask("fac\xCC\xA7"
+                                  "ade.png"));
 }
 
 TEST_F(FindMasksTest, ListsAndSinglePictures) {
   AddImages({"a b.jpg", "c.jpg"});
   AddMasks({"x.png"});
-  dir_.WriteFile("sparse/masks.txt", "# a comment\na b.jpg\t../masks/x.png\r\nunused.jpg\tno.png\n");
+  dir_.WriteFile("sparse/masks.txt",
+                 "# a comment\na b.jpg\t../masks/x.png\r\nunused.jpg\tno.png\n");
   const FoundMasks listed = Find("sparse/masks.txt");
   EXPECT_THAT(listed.paths, ElementsAre(Mask("x.png"), ""));
   EXPECT_THAT(listed.warnings, ElementsAre(HasSubstr("1 of 2 images have no mask")));

@@ -18,6 +18,7 @@
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/error_line.h"
 #include "colmap_ext/workspace/image_header.h"
+#include "colmap_ext/workspace/image_traits.h"
 #include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/util/errors.h"
 

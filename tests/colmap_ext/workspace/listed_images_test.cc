@@ -32,9 +32,11 @@ class ListedImagesTest : public ::testing::Test {
 
 TEST_F(ListedImagesTest, ListsOfOtherProgramsAreRead) {
   for (const char* list :
-       {"a.jpg\nsub/b.jpg\n", "\xEF\xBB\xBF" "a.jpg\r\nsub/b.jpg\r\n\r\n", "images/a.jpg\nimages/sub/b.jpg",
-        "C:\\me\\images\\a.jpg\r\nC:\\me\\images\\sub\\b.jpg", "  ./a.jpg \n/abs/images/sub/b.jpg",
-        "a.jpg\nb.jpg\n", "sub\\b.jpg\na.jpg\na.jpg"}) {
+       {"a.jpg\nsub/b.jpg\n",
+        "\xEF\xBB\xBF"
+        "a.jpg\r\nsub/b.jpg\r\n\r\n",
+        "images/a.jpg\nimages/sub/b.jpg", "C:\\me\\images\\a.jpg\r\nC:\\me\\images\\sub\\b.jpg",
+        "  ./a.jpg \n/abs/images/sub/b.jpg", "a.jpg\nb.jpg\n", "sub\\b.jpg\na.jpg\na.jpg"}) {
     const ListedImages listed = Read(list);
     EXPECT_THAT(listed.names, ElementsAre("a.jpg", "sub/b.jpg")) << list;
     EXPECT_THAT(listed.unknown, IsEmpty()) << list;
@@ -60,7 +62,12 @@ TEST_F(ListedImagesTest, OtherEncodings) {
   EXPECT_THAT(Read("images/\xBD\xD8\xCD\xBC.jpg\n").names, ElementsAre(model_.images[0].name));
   EXPECT_THAT(Read("images/\xE6\x88\xAA\xE5\x9B\xBE.jpg\n").names,
               ElementsAre(model_.images[0].name));
-  EXPECT_THAT(ErrorText<IoError>([&] { Read(std::string("\xFF\xFE" "a\0.\0", 6)); }),
+  EXPECT_THAT(ErrorText<IoError>([&] {
+                Read(
+                    std::string("\xFF\xFE"
+                                "a\0.\0",
+                                6));
+              }),
               HasSubstr("UTF-16"));
 }
 

@@ -14,8 +14,12 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-const std::string kComposed = "fa\xC3\xA7" "ade.jpg";
-const std::string kDecomposed = "fac\xCC\xA7" "ade.jpg";
+const std::string kComposed =
+    "fa\xC3\xA7"
+    "ade.jpg";
+const std::string kDecomposed =
+    "fac\xCC\xA7"
+    "ade.jpg";
 // "screenshot", in Chinese.
 const std::string kGbk = "\xBD\xD8\xCD\xBC";
 const std::string kChinese = "\xE6\x88\xAA\xE5\x9B\xBE";
@@ -57,8 +61,7 @@ TEST(MatchNames, GarbledByAnArchive) {
 TEST(MatchNames, MoreNamesDecideTheEncoding) {
   // E9 is e acute in windows-1252 and a Cyrillic letter in windows-1251; C0 differs likewise.
   const std::string latin1 = "\xC3\xA9.jpg", latin2 = "\xC3\x80.jpg", cyrillic = "\xD0\xB9.jpg";
-  const NameMatches matches =
-      MatchNames({"\xE9.jpg", "\xC0.jpg"}, {cyrillic, latin1, latin2});
+  const NameMatches matches = MatchNames({"\xE9.jpg", "\xC0.jpg"}, {cyrillic, latin1, latin2});
   EXPECT_THAT(matches.file_of, ElementsAre(1, 2));
   EXPECT_THAT(matches.ambiguous, IsEmpty());
   const NameMatches one = MatchNames({"\xE9.jpg"}, {cyrillic, latin1});

@@ -55,9 +55,8 @@ TEST(PointFrames, PointsOfOtherSizesFit) {
     Eigen::Array2d scale, shift;
   };
   // Padded to a square, shrunk, shrunk to a square without padding, enlarged and cropped.
-  for (const auto& [scale, shift] :
-       {Case{{1.28, 1.28}, {0, 128}}, Case{{.13, .13}, {0, 0}}, Case{{.64, .853}, {0, 0}},
-        Case{{2, 2}, {-300, -100}}}) {
+  for (const auto& [scale, shift] : {Case{{1.28, 1.28}, {0, 128}}, Case{{.13, .13}, {0, 0}},
+                                     Case{{.64, .853}, {0, 0}}, Case{{2, 2}, {-300, -100}}}) {
     const SparseModel model = ModelWithPoints(scale, shift);
     const PointFrames frames = FramesOf(model);
     ASSERT_THAT(frames, SizeIs(3)) << scale;

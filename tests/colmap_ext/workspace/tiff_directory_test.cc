@@ -1,5 +1,6 @@
 #include "colmap_ext/workspace/tiff_directory.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@
 
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/image_reader.h"
+#include "colmap_ext/workspace/image_traits.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -32,7 +34,7 @@ class TiffWriter {
     bytes_.append(static_cast<size_t>(width) * height, gray);
     if (bytes_.size() % 2 == 1) bytes_ += '\0';
     std::vector<TiffEntry> entries = {
-        {256, 4, 1, width}, {257, 4, 1, height},         {258, 3, 1, 8},  {259, 3, 1, 1},
+        {256, 4, 1, width}, {257, 4, 1, height},         {258, 3, 1, 8}, {259, 3, 1, 1},
         {273, 4, 1, data},  {279, 4, 1, width * height}, {277, 3, 1, 1}, {278, 4, 1, height}};
     if (std::ranges::none_of(more, [](const TiffEntry& e) { return e.tag == 262; })) {
       entries.push_back({262, 3, 1, 1});

@@ -531,16 +531,31 @@ TEST_F(ToViewsTest, ImagesAreFoundByTheTextOfTheirNames) {
   fs::rename(dir_ / "c.png", dir_ / "\xE6\x88\xAA.png");
   model_.images[0].name = "\\xBD\\xD8.png";
   model_.images[0].name_bytes = "\xBD\xD8.png";
-  fs::rename(dir_ / "b.png", dir_ / "fac\xCC\xA7" "ade.png");
-  model_.images[2].name = "fa\xC3\xA7" "ade.png";
+  fs::rename(dir_ / "b.png", dir_ /
+                                 "fac\xCC\xA7"
+                                 "ade.png");
+  model_.images[2].name =
+      "fa\xC3\xA7"
+      "ade.png";
   const ViewSet set = Views();
   EXPECT_EQ(set.files[0].image_path, (dir_ / "\xE6\x88\xAA.png").string());
   EXPECT_EQ(set.views[0].name, "\\xBD\\xD8.png");
-  EXPECT_EQ(set.files[1].image_path, (dir_ / "fac\xCC\xA7" "ade.png").string());
+  EXPECT_EQ(set.files[1].image_path, (dir_ / "fac\xCC\xA7"
+                                             "ade.png")
+                                         .string());
   EXPECT_THAT(set.notes, ElementsAre(HasSubstr("1 names"), HasSubstr("1 names")));
   // The same bytes.
   fs::rename(dir_ / "\xE6\x88\xAA.png", dir_ / "\xBD\xD8.png");
   EXPECT_EQ(Views().files[0].image_path, (dir_ / "\xBD\xD8.png").string());
+}
+
+TEST_F(ToViewsTest, NamesMayBeginWithTheFolderOfImages) {
+  const std::string folder = dir_.path().filename().string();
+  for (ModelImage& image : model_.images) image.name = folder + "/" + image.name;
+  const ViewSet set = Views();
+  EXPECT_EQ(set.files[0].image_path, (dir_ / "b.png").string());
+  EXPECT_EQ(set.views[0].name, folder + "/b.png");
+  EXPECT_THAT(set.notes, ElementsAre(HasSubstr("3 names of images begin with that of the folder")));
 }
 
 TEST_F(ToViewsTest, AlphaIsAMask) {
@@ -552,8 +567,8 @@ TEST_F(ToViewsTest, AlphaIsAMask) {
   cv::Mat mask(600, 800, CV_8UC1, cv::Scalar(255));
   mask.rowRange(0, 300).setTo(0);
   const ViewSet set = Views();
-  EXPECT_THAT(set.notes, ElementsAre(AllOf(HasSubstr("1 images have an alpha channel"),
-                                           HasSubstr("c.png"))));
+  EXPECT_THAT(set.notes,
+              ElementsAre(AllOf(HasSubstr("1 images have an alpha channel"), HasSubstr("c.png"))));
   EXPECT_FALSE(set.views[1].region.Contains({300, 400}));
   EXPECT_TRUE(set.views[1].region.Contains({500, 200}));
   // Together with another mask.
@@ -583,8 +598,13 @@ TEST_F(ToViewsTest, PartsOfTheRangeOfSixteenBitsAreStretched) {
 // Of a model of upright pictures.
 TEST_F(ToViewsTest, ExifTurnsPicturesIfTheirCamerasSaySo) {
   const std::string exif(
-      "\xFF\xE1\x00\x22" "Exif\0\0" "II\x2A\0\x08\0\0\0" "\x01\0"
-      "\x12\x01\x03\0\x01\0\0\0\x06\0\0\0" "\0\0\0\0", 36);
+      "\xFF\xE1\x00\x22"
+      "Exif\0\0"
+      "II\x2A\0\x08\0\0\0"
+      "\x01\0"
+      "\x12\x01\x03\0\x01\0\0\0\x06\0\0\0"
+      "\0\0\0\0",
+      36);
   const auto write_turned = [&](const std::string& name, int width, int height, char orientation) {
     cv::Mat pixels(height, width, CV_8UC3, cv::Scalar(10, 20, 30 * (name[0] % 7)));
     pixels.colRange(0, width / 2).setTo(200);
@@ -598,12 +618,12 @@ TEST_F(ToViewsTest, ExifTurnsPicturesIfTheirCamerasSaySo) {
   write_turned("c.png", 600, 800, 6);
   write_turned("b.png", 800, 600, 3);  // as the other one, though its size does not tell
   ViewSet set = Views();
-  EXPECT_THAT(set.notes, ElementsAre(AllOf(HasSubstr("2 images are turned"),
-                                           HasSubstr("b.png, c.png"))));
+  EXPECT_THAT(set.notes,
+              ElementsAre(AllOf(HasSubstr("2 images are turned"), HasSubstr("b.png, c.png"))));
   EXPECT_EQ(set.files[1].stored_size, (ImageSize{800, 600}));
   const Image upright = ReadViewImage(set, 1);
   EXPECT_EQ(upright.width, 800);
-  EXPECT_NEAR(upright.data[3 * 400], 200, 5);                 // the left half is on top
+  EXPECT_NEAR(upright.data[3 * 400], 200, 5);  // the left half is on top
   EXPECT_LT(upright.data[3 * (599 * 800 + 400) + 2], 100);
   EXPECT_LT(ReadViewImage(set, 0).data[2], 100);
   // Without such a picture they stay as they are.
