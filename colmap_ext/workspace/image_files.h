@@ -25,6 +25,6 @@ ImageFiles FindImageFiles(const SparseModel& model, const std::vector<int>& imag
 // Relative paths of the regular files in a folder and those below, sorted; links to folders are not
 // followed. Folders that cannot be read are left out. At most `max_files`.
 std::vector<std::string> FilesBelow(const std::filesystem::path& folder,
-                                    size_t max_files = 1'000'000);
+                                    size_t max_files = 200'000);
 
 }  // namespace limn::colmap_ext

@@ -126,8 +126,9 @@ void SetAlpha(const std::vector<PixelScan>& scans, std::vector<ViewFile>* files,
 void SetForms(const SparseModel& model, const std::vector<int>& images, const PhotoStore& photos,
               const RunContext& context, std::vector<ViewFile>* files,
               std::vector<std::string>* notes) {
-  std::vector<ImageTraits> traits;
-  for (const ViewFile& file : *files) traits.push_back(photos.Traits(file.image_path));
+  std::vector<ImageTraits> traits(files->size());
+  ParallelFor(context, "kinds of images", files->size(),
+              [&](size_t i) { traits[i] = photos.Traits((*files)[i].image_path); });
   SetOrientations(model, images, traits, files, notes);
   const std::vector<size_t> to_scan = FilesToScan(*files, traits);
   std::vector<PixelScan> scans(files->size());

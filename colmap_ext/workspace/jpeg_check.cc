@@ -58,13 +58,13 @@ std::optional<size_t> NumBytesRead(j_common_ptr decoder) {
   return static_cast<size_t>(next - bytes.data());
 }
 
-// Some cameras fill the end of the picture.
+// Some cameras fill the end of the picture, or of a file without end marker.
 bool IsPadding(j_common_ptr decoder) {
-  const auto end = NumBytesRead(decoder);
-  const auto size = static_cast<size_t>(decoder->err->msg_parm.i[0]);
-  if (!end || size > *end) return false;
   const std::string_view bytes = ReportOf(decoder)->bytes;
-  const std::string_view padding = bytes.substr(*end - size, size);
+  const size_t end = NumBytesRead(decoder).value_or(bytes.size());
+  const auto size = static_cast<size_t>(decoder->err->msg_parm.i[0]);
+  if (size > end) return false;
+  const std::string_view padding = bytes.substr(end - size, size);
   return padding.find_first_not_of('\0') == std::string_view::npos ||
          padding.find_first_not_of('\xFF') == std::string_view::npos;
 }

@@ -25,9 +25,13 @@ std::vector<std::string> ReadLines(const std::string& path) {
   return lines;
 }
 
+// Of one name; what has more slashes is no name.
+constexpr size_t kMaxEnds = 64;
+
 // The text and what follows its first folder, its second and so on: longest first.
 std::vector<std::string> EndsOf(const std::string& text) {
   std::vector<std::string> ends = {text};
+  if (static_cast<size_t>(std::ranges::count(text, '/')) >= kMaxEnds) return ends;
   for (size_t slash = text.find('/'); slash != std::string::npos;
        slash = text.find('/', slash + 1)) {
     ends.push_back(text.substr(slash + 1));
@@ -98,6 +102,9 @@ std::vector<NameEncoding> EncodingsOf(const SparseModel& model) {
   return encodings;
 }
 
+// More lines than that are no list of the images of this model.
+size_t MostLines(const SparseModel& model) { return 1000 + 4 * model.images.size(); }
+
 // Under the encodings of lines and of names that find most; UTF-8 comes first.
 Found FindAll(const std::vector<std::string>& lines, const SparseModel& model) {
   Found best(lines.size());
@@ -105,6 +112,7 @@ Found FindAll(const std::vector<std::string>& lines, const SparseModel& model) {
   std::vector<NameIndex> indices;
   for (const NameEncoding& encoding : EncodingsOf(model)) indices.emplace_back(model, encoding);
   for (const NameEncoding& encoding : NameEncodings()) {
+    if (!encoding.code_page.empty() && lines.size() > MostLines(model)) return best;
     std::vector<std::optional<std::string>> texts;
     for (const std::string& line : lines) texts.push_back(TextOfName(line, encoding));
     for (const NameIndex& index : indices) {

@@ -10,6 +10,9 @@
 namespace limn::colmap_ext {
 namespace {
 
+// Names of one project are not in more encodings.
+constexpr int kMaxRounds = 16;
+
 bool IsAscii(const std::string& text) {
   return std::ranges::all_of(text, [](unsigned char c) { return c < 0x80; });
 }
@@ -115,11 +118,12 @@ class Matcher {
   }
 
   NameMatches Run() {
-    while (true) {
+    for (int rounds = 0; rounds < kMaxRounds; ++rounds) {
       const Round round = BestRound();
-      if (round.count == 0) return std::move(matches_);
+      if (round.count == 0) break;
       Accept(round);
     }
+    return std::move(matches_);
   }
 
  private:

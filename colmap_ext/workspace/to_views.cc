@@ -305,6 +305,17 @@ void AddWarnings(const SparseModel& model, const SelectedImages& used,
   }
 }
 
+// The frames of 2D points that are pixels of other pictures, as the hints then take them.
+PointFrames SetHints(const SparseModel& model, const SelectedImages& used, ViewSet* set) {
+  set->hints = MakeHints(model, used.reach, {}, *set);
+  if (CheckCameras(*set, kDoubtfulCameraPx).misfits.empty()) return {};
+  PointFrames frames = FindPointFrames(model, used.images, kDoubtfulCameraPx);
+  if (frames.empty()) return frames;
+  set->hints = MakeHints(model, used.reach, frames, *set);
+  set->notes.push_back(DescribeFrames(frames, model, used.images.size()));
+  return frames;
+}
+
 void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, const PointFrames& frames,
                      double max_px, ViewSet* set) {
   const CameraCheck check = CheckCameras(*set, max_px);
@@ -455,9 +466,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   const std::vector<double> scales = MeasureScales(model, used, files, options, photos, context);
   AddViews(model, used.images, files, scales, options, context, &set);
   ApplyMasks(options.border_margin_px, context, &set);
-  const PointFrames frames = FindPointFrames(model, used.images, kDoubtfulCameraPx);
-  if (!frames.empty()) set.notes.push_back(DescribeFrames(frames, model, used.images.size()));
-  set.hints = MakeHints(model, used.reach, frames, set);
+  const PointFrames frames = SetHints(model, used, &set);
   AddWarnings(model, used, files, &set.warnings);
   if (options.max_reprojection_px > 0) {
     LeaveOutMisfits(model, used.reach, frames, options.max_reprojection_px, &set);

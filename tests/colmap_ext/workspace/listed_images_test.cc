@@ -52,6 +52,13 @@ TEST_F(ListedImagesTest, WhatNamesNoImageOrTwoIsTold) {
   EXPECT_THAT(Read("\n").names, IsEmpty());
 }
 
+TEST_F(ListedImagesTest, HostileListsTakeNoTime) {
+  EXPECT_EQ(Read(std::string(1'000'000, '/') + "x\n").unknown.size(), 1'000'001u);
+  std::string list = "a.jpg\n";
+  for (int i = 0; i < 100'000; ++i) list += "\xE9" + std::to_string(i) + "\n";
+  EXPECT_EQ(Read(list).unknown, "\\xE90");
+}
+
 TEST_F(ListedImagesTest, OtherEncodings) {
   model_.images[0].name = "\xE6\x88\xAA\xE5\x9B\xBE.jpg";
   EXPECT_THAT(Read("D:\\x\\\xBD\xD8\xCD\xBC.jpg\n").names, ElementsAre(model_.images[0].name));

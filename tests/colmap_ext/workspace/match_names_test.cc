@@ -24,7 +24,7 @@ const std::string kDecomposed =
 const std::string kGbk = "\xBD\xD8\xCD\xBC";
 const std::string kChinese = "\xE6\x88\xAA\xE5\x9B\xBE";
 // The same in UTF-8, taken for code page 437 and converted to UTF-8.
-const std::string kGarbled = "\xC2\xB5\xC3\xAA\xC2\xAC\xC3\xA5\xC2\xA2\xE2\x95\x9B";
+const std::string kGarbled = "\xC2\xB5\xC3\xAA\xC2\xAC\xCF\x83\xC2\xA2\xE2\x95\x9B";
 
 TEST(NameEncoding, AllCodePagesAreKnown) {
   for (const NameEncoding& encoding : NameEncodings()) {
@@ -74,7 +74,13 @@ TEST(MatchNames, OthersHaveNoFile) {
   EXPECT_THAT(MatchNames({"a.jpg"}, {}).file_of, Each(-1));
   EXPECT_THAT(MatchNames({}, {"a.jpg"}).file_of, IsEmpty());
   // Two files, or two names, of one text.
-  EXPECT_THAT(MatchNames({"x\\" + kComposed}, {"x/" + kComposed, "x/" + kDecomposed}).file_of,
+  const std::string composed = "\xC3\xA9\xC3\xA9.jpg", decomposed =
+                                                           "e\xCC\x81"
+                                                           "e\xCC\x81.jpg";
+  EXPECT_THAT(MatchNames({"\xC3\xA9"
+                          "e\xCC\x81.jpg"},
+                         {composed, decomposed})
+                  .file_of,
               Each(-1));
   EXPECT_THAT(MatchNames({kComposed, kDecomposed}, {"./x.jpg"}).file_of, Each(-1));
 }
