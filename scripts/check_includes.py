@@ -49,6 +49,7 @@ DOORS = {
 # Prefix of an include in angle brackets -> where it may stand: folders, or single files.
 THIRD_PARTY = {
     "opencv2/": ["src/limn/pictures/", "colmap_ext/workspace/"],
+    "unicode/": ["colmap_ext/workspace/name_encoding.cc"],
     "jpeglib.h": ["colmap_ext/workspace/jpeg_check.cc"],
     "sqlite3.h": ["colmap_ext/workspace/pose_priors.cc"],
     "jerror.h": ["colmap_ext/workspace/jpeg_check.cc"],

@@ -70,6 +70,9 @@ Eigen::Vector3d UnitOrZero(const Eigen::Vector3d& vector) {
   return norm > 0 ? Eigen::Vector3d(vector / norm) : Eigen::Vector3d::Zero();
 }
 
+// No model has such coordinates; their squares would be.
+constexpr double kFarthest = 1e15;
+
 using Colors = std::vector<std::array<uint8_t, 3>>;
 constexpr std::array<uint8_t, 3> kGray = {128, 128, 128};
 
@@ -81,7 +84,8 @@ Colors ColorsBeside(std::filesystem::path patches, uint64_t num_patches) {
   const PlyPointsInfo info = ReadPlyPointsInfo(path);
   if (info.count != num_patches || !info.has_colors) return {};
   Colors colors;
-  ReadPlyPoints(path, [&](const PlyPoint& point) { colors.push_back(point.color); });
+  const auto take = [&](const PlyPoint& point) { colors.push_back(point.color); };
+  ReadPlyPoints(path, take, take);
   return colors;
 }
 
@@ -105,21 +109,32 @@ DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<Vie
   const bool has_visibility = std::filesystem::exists(visibility, ignored);
   const std::vector<ViewId> by_index = ViewsByModelIndex(views, num_model_images);
   if (has_visibility) VisibilityReader(visibility, info.count, by_index);  // throws
-  DenseCloud cloud = {info.count, info.has_normals, has_visibility, {}};
+  const auto num_odd = std::make_shared<uint64_t>(0);
+  DenseCloud cloud = {info.count, info.has_normals, has_visibility, {}, num_odd};
   cloud.points = [=](const DensePointVisitor& visit) {
+    *num_odd = 0;
     std::unique_ptr<VisibilityReader> seen_by;
     if (has_visibility) {
       seen_by = std::make_unique<VisibilityReader>(visibility, info.count, by_index);
     }
     DensePoint point;
     point.views_known = has_visibility;
-    ReadPlyPoints(path.string(), [&](const PlyPoint& from) {
+    const auto leave_out = [&](const PlyPoint&) {
+      if (seen_by) seen_by->Next();
+      ++*num_odd;
+    };
+    const auto take = [&](const PlyPoint& from) {
+      if (from.position.cwiseAbs().maxCoeff() > kFarthest) {
+        leave_out(from);
+        return;
+      }
       point.position = from.position;
       point.normal = UnitOrZero(from.normal);
       point.color = from.color;
       if (seen_by) point.views = seen_by->Next();
       visit(point);
-    });
+    };
+    ReadPlyPoints(path.string(), take, leave_out);
     if (seen_by) seen_by->CheckEnd();
   };
   return cloud;
@@ -169,6 +184,7 @@ DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<V
 DenseCloud OpenClouds(const std::vector<std::filesystem::path>& paths,
                       const std::vector<View>& views, size_t num_model_images) {
   std::vector<DensePointStream> parts;
+  std::vector<std::shared_ptr<const uint64_t>> odd_of_parts;
   DenseCloud all = {0, true, true, {}};
   for (const std::filesystem::path& path : paths) {
     DenseCloud cloud = path.extension() == ".patch" ? OpenPatchCloud(path, views, num_model_images)
@@ -177,12 +193,27 @@ DenseCloud OpenClouds(const std::vector<std::filesystem::path>& paths,
     all.has_normals &= cloud.has_normals;
     all.has_visibility &= cloud.has_visibility;
     parts.push_back(std::move(cloud.points));
+    odd_of_parts.push_back(cloud.num_odd);
   }
   if (all.num_points == 0) throw IoError(paths.front().string(), "no points");
-  all.points = [parts = std::move(parts)](const DensePointVisitor& visit) {
-    for (const DensePointStream& part : parts) part(visit);
+  const auto num_odd = std::make_shared<uint64_t>(0);
+  all.num_odd = num_odd;
+  all.points = [parts = std::move(parts), odd_of_parts = std::move(odd_of_parts),
+                num_odd](const DensePointVisitor& visit) {
+    *num_odd = 0;
+    for (size_t i = 0; i < parts.size(); ++i) {
+      parts[i](visit);
+      if (odd_of_parts[i]) *num_odd += *odd_of_parts[i];
+    }
   };
   return all;
+}
+
+std::string DenseCloud::NoteOnOdd() const {
+  if (!num_odd || *num_odd == 0) return "";
+  return std::to_string(*num_odd) + " of " + std::to_string(num_points) +
+         " points of the cloud are left out: a coordinate, normal or color is no number, or out of "
+         "all range";
 }
 
 }  // namespace limn::colmap_ext

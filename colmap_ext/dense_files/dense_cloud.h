@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,10 +18,17 @@ struct DenseCloud {
   bool has_normals = false;
   bool has_visibility = false;
   DensePointStream points;
+  // Points that the last call of `points` left out: with a number that is not finite, or farther
+  // than 1e15 from the origin. Null if that is unknown.
+  std::shared_ptr<const uint64_t> num_odd = nullptr;
+
+  // For the user; empty if none was left out. Call it after `points`.
+  std::string NoteOnOdd() const;
 };
 
 // fused.ply or any other PLY cloud, with <path>.vis if it exists: the views that see each point, as
-// indices into the model's images, of which there are `num_model_images`. Throws IoError here or
+// indices into the model's images, of which there are `num_model_images`. Odd points are left out.
+// Throws IoError here or
 // from `points`: unreadable file, .vis with a different number of points or trailing bytes, an
 // image number that the model does not have.
 DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<View>& views,

@@ -38,9 +38,11 @@ void WriteCloud(const OutputPath& path, const fs::path& fused,
         << "\nproperty float x\nproperty float y\nproperty float z\n"
            "property float nx\nproperty float ny\nproperty float nz\n"
            "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
-    ReadPlyPoints(fused.string(), [&](const PlyPoint& point) {
+    // Odd points, too: .vis numbers all.
+    const auto put = [&](const PlyPoint& point) {
       PutPoint(point.position, point.normal, point.color, out);
-    });
+    };
+    ReadPlyPoints(fused.string(), put, put);
     for (const CloudPoint& point : curve_points) {
       PutPoint(point.position, point.normal, point.color, out);
     }

@@ -10,6 +10,7 @@
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/workspace/file_identity.h"
+#include "colmap_ext/workspace/find_masks.h"
 #include "limn/sketch/view_selection.h"
 #include "limn/util/errors.h"
 
@@ -27,6 +28,7 @@ std::string ImageIdentity(const ViewSet& set, ViewId view) {
   if (const auto& window = file.window) {
     identity += "\npart " + std::to_string(window->x) + " " + std::to_string(window->y);
   }
+  identity += KeyOf(file.form);
   if (file.is_damaged) identity += "\ndamaged";
   if (!file.mask_path.empty()) identity += "\nmask " + FileIdentity(file.mask_path);
   const PinholeCamera& camera = set.views[view].camera;
@@ -65,6 +67,12 @@ std::string ShrinkingNote(const ViewSet& set) {
          " times as many, and that much more time and memory";
 }
 
+// Masks that seem to be there. Empty = none.
+std::string MasksNote(const fs::path& image_dir) {
+  const std::string folder = image_dir.empty() ? "" : MasksBeside(image_dir);
+  return folder.empty() ? "" : "NOTE: masks in " + folder + " are not used: --mask_path " + folder;
+}
+
 // How many images are used as if enlarged, and how far. Empty = none.
 std::string EnlargingNote(const ViewSet& set) {
   int num_enlarged = 0;
@@ -99,7 +107,11 @@ void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptio
                      Console* console) {
   origin_ = SceneOrigin(model);
   MoveModel(-origin_, &model);
-  view_set_ = ToViews(model, layout_.image_dir, options.view, console->context(), photos);
+  ViewOptions view_options = options.view;
+  std::string& mask_path = view_options.mask_path;
+  if (mask_path.empty()) mask_path = MaskListOf(layout_.given_model_dir);
+  view_set_ = ToViews(model, layout_.image_dir, view_options, console->context(), photos);
+  for (const std::string& note : view_set_.notes) console->Say("NOTE: " + note);
   for (const std::string& warning : view_set_.warnings) console->Say("WARNING: " + warning);
   const size_t num_images = view_set_.CountImages(IdsOf(std::nullopt, views().size()));
   console->Say(std::to_string(num_images) + " images" +
@@ -107,7 +119,8 @@ void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptio
                     ? ""
                     : " (in " + std::to_string(views().size()) + " views: panoramas in parts)") +
                ", " + std::to_string(view_set_.hints.points.size()) + " 3D points");
-  for (const std::string& note : {ShrinkingNote(view_set_), EnlargingNote(view_set_)}) {
+  const std::string masks_note = mask_path.empty() ? MasksNote(layout_.image_dir) : "";
+  for (const std::string& note : {masks_note, ShrinkingNote(view_set_), EnlargingNote(view_set_)}) {
     if (!note.empty()) console->Say(note);
   }
   if (!origin_.isZero()) {

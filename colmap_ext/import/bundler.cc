@@ -1,8 +1,8 @@
 #include "colmap_ext/import/bundler.h"
 
 #include "colmap_ext/import/calibration.h"
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -121,7 +121,7 @@ ImportedScene ReadBundler(const ImportInput& input) {
   const std::string path = file.string();
   const std::string list_path = ListPath(input, file);
   const std::vector<std::string> names = ReadImageList(list_path);
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   if (scanner.RestOfLine() != kVersion) {
     scanner.Fail(std::string("\"") + kVersion + "\" expected");

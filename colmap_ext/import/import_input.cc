@@ -113,6 +113,13 @@ bool HoldsFile(const fs::path& path, const std::vector<std::string>& ends) {
 
 bool BeginsWith(const fs::path& file, const std::string& text) {
   std::ifstream in(file, std::ios::binary);
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  std::string mark(kMark.size(), '\0');
+  in.read(mark.data(), static_cast<std::streamsize>(mark.size()));
+  if (!in || mark != kMark) {
+    in.clear();
+    in.seekg(0);
+  }
   in >> std::ws;
   std::string start(text.size(), '\0');
   in.read(start.data(), static_cast<std::streamsize>(start.size()));

@@ -34,7 +34,8 @@ std::filesystem::path TheFile(const std::filesystem::path& path,
 // Whether `path` is a file whose name ends with one of `ends`, or a folder that holds one.
 bool HoldsFile(const std::filesystem::path& path, const std::vector<std::string>& ends);
 
-// Whether a file begins with this text, after white space. False if it cannot be read.
+// Whether a file begins with this text, after white space and a byte order mark. False if it cannot
+// be read.
 bool BeginsWith(const std::filesystem::path& file, const std::string& text);
 
 // The names in a list of images: one per line, blank lines left out; the two numbers that Bundler

@@ -23,6 +23,8 @@ struct ImportedImage {
   Rigid3d cam_from_world;
   // In the pixels of the format.
   std::vector<Observation> observations;
+  // The file of its mask, if the format names one; empty: none.
+  std::string mask = "";
   // Where in the file it was found, for messages.
   std::string path;
   const char* unit = "line";

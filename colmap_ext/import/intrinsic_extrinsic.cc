@@ -2,8 +2,8 @@
 
 #include "colmap_ext/import/calibration.h"
 #include "colmap_ext/import/file_matching.h"
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -16,7 +16,7 @@ constexpr char kExtension[] = ".extrinsic";
 // As many rows of three numbers as the file must hold.
 template <int kRows>
 Eigen::Matrix<double, kRows, 3> ReadRows(const std::string& path) {
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   Eigen::Matrix<double, kRows, 3> rows;
   for (int row = 0; row < kRows; ++row) {

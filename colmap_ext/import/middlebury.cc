@@ -1,8 +1,8 @@
 #include "colmap_ext/import/middlebury.h"
 
 #include "colmap_ext/import/calibration.h"
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -23,7 +23,7 @@ bool HoldsMiddlebury(const std::filesystem::path& path) { return HoldsFile(path,
 
 ImportedScene ReadMiddlebury(const ImportInput& input) {
   const std::string path = TheFile(input.path, kEnds).string();
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   const int count = scanner.Count("number of images");
   ImportedScene scene;

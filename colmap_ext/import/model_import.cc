@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "colmap_ext/import/formats.h"
+#include "colmap_ext/workspace/find_masks.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -44,6 +45,14 @@ std::vector<std::string> WithoutCamera(const ImageFolder& images, const Imported
   std::vector<std::string> names = images.Names();
   std::erase_if(names, [&](const std::string& name) { return with_camera.contains(name); });
   return names;
+}
+
+ImageMasks MasksOf(const ImportedScene& scene) {
+  ImageMasks masks;
+  for (const ImportedImage& image : scene.images) {
+    if (!image.mask.empty()) masks[image.name] = image.mask;
+  }
+  return masks;
 }
 
 }  // namespace
@@ -87,7 +96,7 @@ void ImporterOptions::Check() const {
   LIMN_CHECK_RANGE(model_index, >= -1, <= 1e6);
 }
 
-SparseModel ImportModel(const ImporterOptions& options, std::vector<std::string>* notes) {
+ImportedModel ImportModel(const ImporterOptions& options, std::vector<std::string>* notes) {
   const ImportFormat& format = options.input_type == "auto" ? RecognizeFormat(options.input_path)
                                                             : *FindImportFormat(options.input_type);
   ImageFolder images(ImagePath(options), options.skip_missing_images);
@@ -100,7 +109,13 @@ SparseModel ImportModel(const ImporterOptions& options, std::vector<std::string>
   notes->insert(notes->end(), scene.notes.begin(), scene.notes.end());
   NoteLeftOut(images.missing(), "are missing", notes);
   NoteLeftOut(WithoutCamera(images, scene), "have no camera", notes);
-  return ToSparseModel(std::move(scene), {pixel_centers, options.share_cameras_px});
+  ImageMasks masks = MasksOf(scene);
+  if (!masks.empty()) {
+    notes->push_back(std::to_string(masks.size()) + " of " + std::to_string(scene.images.size()) +
+                     " images have masks, which " + kMaskList + " of the model lists for drawing");
+  }
+  return {ToSparseModel(std::move(scene), {pixel_centers, options.share_cameras_px}),
+          std::move(masks)};
 }
 
 }  // namespace limn::colmap_ext

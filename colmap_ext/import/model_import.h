@@ -4,6 +4,7 @@
 #include <string>
 
 #include "colmap_ext/import/imported_scene.h"
+#include "colmap_ext/import/mask_list.h"
 #include "colmap_ext/import/new_model_folder.h"
 #include "colmap_ext/options/option_parser.h"
 
@@ -26,8 +27,13 @@ struct ImporterOptions {
   void Check() const;
 };
 
+struct ImportedModel {
+  SparseModel model;
+  ImageMasks masks;  // of the formats that name them
+};
+
 // Reads cameras in the given format, or in the one recognized from the path. Appends what the user
 // should know to `notes`, one line each. Throws IoError.
-SparseModel ImportModel(const ImporterOptions& options, std::vector<std::string>* notes);
+ImportedModel ImportModel(const ImporterOptions& options, std::vector<std::string>* notes);
 
 }  // namespace limn::colmap_ext

@@ -133,6 +133,21 @@ std::string ImageName(const Json& frame) {
   return fs::path(name).has_extension() ? name : name + ".png";
 }
 
+// Relative to the file, as nerfstudio writes it, or to the folder of images.
+std::string MaskOf(const Json& frame, const FilePlace& place, const ImageFolder& images) {
+  const auto found = frame.find("mask_path");
+  if (found == frame.end() || found->is_null()) return "";
+  if (!found->is_string()) place.Fail("mask_path is not a text");
+  auto name = found->get<std::string>();
+  if (name.empty()) return "";
+  std::ranges::replace(name, '\\', '/');
+  std::error_code ignored;
+  for (const fs::path& folder : {fs::path(place.path).parent_path(), images.path()}) {
+    if (fs::is_regular_file(folder / name, ignored)) return (folder / name).string();
+  }
+  place.Fail("mask \"" + name + "\" is missing: correct or remove its mask_path");
+}
+
 std::optional<ImportedImage> ReadFrame(const Json& frame, const Json& file, const FilePlace& place,
                                        ImageFolder* images) {
   const auto found = images->Find(ImageName(frame), fs::path(place.path).parent_path(), place);
@@ -144,6 +159,7 @@ std::optional<ImportedImage> ReadFrame(const Json& frame, const Json& file, cons
   image.name = found->name;
   image.camera = ReadCamera(Entries(frame, file), *found, place);
   image.cam_from_world = ReadPose(frame.at("transform_matrix"), place);
+  image.mask = MaskOf(frame, place, *images);
   return image;
 }
 

@@ -8,7 +8,8 @@ namespace limn::colmap_ext {
 // (a name without extension means .png), and transform_matrix, world-from-camera in OpenGL's camera
 // axes (x right, y up, z backwards). At the top or per frame: focal lengths fl_x and fl_y, or
 // camera_angle_x and camera_angle_y (full angles, rad; without one for y, pixels are square); cx
-// and cy (default: the center of the image); w and h; k1 k2 k3 k4 p1 p2; camera_model, is_fisheye.
+// and cy (default: the center of the image); w and h; mask_path per frame, relative like file_path;
+// k1 k2 k3 k4 p1 p2; camera_model, is_fisheye.
 //
 // Cameras become PINHOLE without distortion, OPENCV with it, FULL_OPENCV if k3 is given,
 // OPENCV_FISHEYE if the file says so. Points in other files (ply_file_path) are not read.

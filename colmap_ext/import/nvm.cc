@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "colmap_ext/import/measurement_distortion.h"
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -163,7 +163,7 @@ bool HoldsNvm(const fs::path& path) { return HoldsFile(path, kNvmEnds); }
 
 ImportedScene ReadNvm(const ImportInput& input) {
   const std::string path = TheFile(input.path, kNvmEnds).string();
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   if (scanner.Word("the header NVM_V3") != kNvmHeader) scanner.Fail("\"NVM_V3\" expected");
   if (!scanner.AtEndOfLine()) {

@@ -3,8 +3,8 @@
 #include "colmap_ext/import/calibration.h"
 #include "colmap_ext/import/file_matching.h"
 #include "colmap_ext/model/projection_matrix.h"
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -20,7 +20,7 @@ std::vector<fs::path> MatrixFiles(const fs::path& folder) {
 }
 
 Eigen::Matrix<double, 3, 4> ReadMatrix(const std::string& path) {
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   scanner.AtEnd();
   if (scanner.Peek() == kHeader[0]) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <cstdio>
 #include <string_view>
 #include <system_error>
 
@@ -53,13 +54,28 @@ std::string Essence(std::string name) {
 
 }  // namespace
 
+std::string Utf8Name(const std::string& bytes) {
+  if (IsUtf8(bytes)) return bytes;
+  std::string name;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      name += c;
+      continue;
+    }
+    char escape[5];
+    std::snprintf(escape, sizeof(escape), "\\x%02X", byte);
+    name += escape;
+  }
+  return name;
+}
+
 std::string ProblemOfName(const std::string& name) {
   if (name.empty()) return "the image has no name";
   if (name.size() > kMaxNameBytes) {
     return "the image name is longer than " + std::to_string(kMaxNameBytes) + " bytes";
   }
   if (name.find('\0') != std::string::npos) return "the image name contains a NUL character";
-  if (!IsUtf8(name)) return "the image name is not UTF-8: rename the image";
   const fs::path path(name);
   const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
   if (path.is_absolute() || climbs) {

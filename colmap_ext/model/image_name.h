@@ -5,8 +5,12 @@
 
 namespace limn::colmap_ext {
 
-// Why a name is not valid for an image: empty, longer than 4096 bytes, with a NUL, not UTF-8,
-// absolute, or leading out of the image folder (".."). Empty if it is valid.
+// The name by which users know an image: that of its bytes if these are UTF-8; else, as a code page
+// does not tell its name, all bytes that are not ASCII are written as `\xHH`.
+std::string Utf8Name(const std::string& bytes);
+
+// Why a name is not valid for an image: empty, longer than 4096 bytes, with a NUL, absolute, or
+// leading out of the image folder (".."). Empty if it is valid. It need not be UTF-8.
 std::string ProblemOfName(const std::string& name);
 
 // Why a valid name cannot be read back from `images.txt`, where it ends a line: line ends, or white

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "limn/files/text_file.h"
+
 namespace limn::colmap_ext {
 namespace {
 
@@ -30,7 +32,7 @@ bool LineReader::NextLine() {
     }
   } while (in_.fail() && !in_.eof() && !in_.bad());
   if (in_.fail() && line_.empty()) return false;
-  ++number_;
+  if (number_++ == 0) line_.erase(0, MarkLength(path_, line_));
   if (line_.ends_with('\r')) line_.pop_back();
   return true;
 }

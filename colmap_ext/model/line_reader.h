@@ -10,7 +10,8 @@
 
 namespace limn::colmap_ext {
 
-// The lines of a text file, with their numbers.
+// The lines of a text file, with their numbers, without byte order mark. Throws IoError for text in
+// UTF-16 or UTF-32.
 class LineReader {
  public:
   LineReader(std::istream& in, std::string path) : in_(in), path_(std::move(path)) {}

@@ -31,12 +31,15 @@ struct ModelImage {
   // The quaternion is normalized on reading.
   Rigid3d cam_from_world;
   uint32_t camera_id = 0;
-  // Relative to the image folder, '/' between folders.
+  // Relative to the image folder, '/' between folders; UTF-8 (Utf8Name of the name as stored).
   std::string name;
   std::vector<Observation> observations;
   // The file in the image folder if it differs from the name (PMVS folders); else empty.
   std::string file = "";
+  // The name as stored if that is not UTF-8, as names in a code page of Windows; else empty.
+  std::string name_bytes = "";
 
+  const std::string& StoredName() const { return name_bytes.empty() ? name : name_bytes; }
   // Whether this observation exists and belongs to this 3D point.
   bool Shows(uint64_t point3D_id, uint32_t observation) const {
     return observation < observations.size() && observations[observation].point3D_id == point3D_id;

@@ -93,6 +93,9 @@ void ModelBuilder::AddImage(ModelImage image, const std::array<double, 4>& quate
     place.Fail(what + " is defined twice");
   const std::string problem = ProblemOfName(image.name);
   if (!problem.empty()) place.Fail(what + ": " + problem);
+  if (std::string text = Utf8Name(image.name); text != image.name) {
+    image.name_bytes = std::exchange(image.name, std::move(text));
+  }
   if (!image_names_.insert(image.name).second) {
     place.Fail(what + ": image name \"" + image.name + "\" occurs twice");
   }

@@ -74,7 +74,8 @@ void WriteImagesBinary(const SparseModel& model, std::ostream& out) {
     for (const double value : {q.w(), q.x(), q.y(), q.z()}) Put(value, out);
     PutVector(image.cam_from_world.translation, out);
     Put(image.camera_id, out);
-    out.write(image.name.c_str(), static_cast<std::streamsize>(image.name.size() + 1));
+    const std::string& name = image.StoredName();
+    out.write(name.c_str(), static_cast<std::streamsize>(name.size() + 1));
     Put<uint64_t>(image.observations.size(), out);
     for (const Observation& observation : image.observations) {
       Put(observation.position.x(), out);
@@ -101,13 +102,13 @@ void WritePointsBinary(const SparseModel& model, std::ostream& out) {
 
 bool HasTextNames(const SparseModel& model) {
   return std::ranges::all_of(model.images, [](const ModelImage& image) {
-    return ProblemOfNameInText(image.name).empty();
+    return ProblemOfNameInText(image.StoredName()).empty();
   });
 }
 
 void CheckTextNames(const SparseModel& model) {
   for (const ModelImage& image : model.images) {
-    const std::string problem = ProblemOfNameInText(image.name);
+    const std::string problem = ProblemOfNameInText(image.StoredName());
     if (!problem.empty()) throw InputError(problem + ": rename the image");
   }
 }
@@ -127,7 +128,7 @@ void WriteImagesText(const SparseModel& model, std::ostream& out) {
          "# POINTS2D[] as (X, Y, POINT3D_ID)\n";
   for (const ModelImage& image : model.images) {
     out << image.id << image.cam_from_world.rotation << image.cam_from_world.translation << ' '
-        << image.camera_id << ' ' << image.name << '\n';
+        << image.camera_id << ' ' << image.StoredName() << '\n';
     for (const Observation& observation : image.observations) {
       // The invalid id is written as -1.
       out << Spaced{observation.position.x()} << Spaced{observation.position.y()} << ' '

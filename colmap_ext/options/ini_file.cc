@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "limn/files/whole_file.h"
+#include "limn/files/text_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -40,7 +40,7 @@ std::vector<IniEntry> ReadIniFile(std::istream& in, const std::string& path) {
 }
 
 std::vector<IniEntry> ReadIniFile(const std::string& path) {
-  std::istringstream in(ReadWholeFile(path, kMaxListBytes));
+  std::istringstream in(ReadTextFile(path, kMaxListBytes));
   return ReadIniFile(in, path);
 }
 

@@ -122,11 +122,18 @@ py::dict TracksOf(const Link& link) {
   }
   Polyline3d points = link.Get().points_in_world;
   for (Eigen::Vector3d& point : points) point -= drawing.scene->scene.origin();
-  py::dict tracks;
-  for (const ViewId view : link.Get().supporting_views) {
-    const auto runs = ProjectPolyline(drawing.views[view], points);
-    if (!runs.empty()) tracks[py::str(drawing.metadata.view_names[view])] = JoinRuns(runs);
+  // Parts of a panorama are one image.
+  std::map<std::string, std::vector<std::vector<Eigen::Vector2d>>> runs_of_image;
+  for (const ViewId id : link.Get().supporting_views) {
+    const View view = InStoredImage(drawing.scene->scene.view_set(), id, drawing.views[id]);
+    auto runs = ProjectPolyline(view, points);
+    if (runs.empty()) continue;
+    auto& all = runs_of_image[view.name];
+    all.insert(all.end(), std::make_move_iterator(runs.begin()),
+               std::make_move_iterator(runs.end()));
   }
+  py::dict tracks;
+  for (const auto& [name, runs] : runs_of_image) tracks[py::str(name)] = JoinRuns(runs);
   return tracks;
 }
 
@@ -386,12 +393,13 @@ void BindLink(py::module_* module) {
           "After limn.fuse: 'surface', 'boundary', 'free' or 'unknown'; else None.")
       .def_property_readonly("supporting_views", SupportingViews,
                              "Names of the images with edges along it.")
-      .def_property_readonly("tracks", TracksOf,
-                             "The link in its supporting images: name of the image to M x 2 "
-                             "polyline (x, y), px of the "
-                             "image as used; the center of the top-left pixel is (0, 0). Rows of "
-                             "not-a-number separate "
-                             "visible parts.")
+      .def_property_readonly(
+          "tracks", TracksOf,
+          "The link in its supporting images: name of the image to M x 2 "
+          "polyline (x, y), px of the image as stored, as in tracks.txt but with "
+          "the center of the top-left pixel at (0, 0). Rows of not-a-number "
+          "separate visible parts. Columns of a panorama run from -1/8 to 7/8 "
+          "of its width.")
       .def("__len__", [](const Link& link) { return link.Get().points_in_world.size(); })
       .def("__reduce__", [](const Link& link) { return ItemOf(link, "links"); })
       .def("__repr__", [](const Link& link) {

@@ -134,6 +134,9 @@ DrawingInScene FuseVerb::Apply(const Job& job, const DrawingInScene& given) {
                                      dense_.cloud ? std::optional(dense_.points) : std::nullopt},
                                     job.options.dense, job.context());
   job.console->Report(result.summary);
+  if (const std::string note = dense_.cloud ? dense_.cloud->NoteOnOdd() : ""; !note.empty()) {
+    job.console->Say("WARNING: " + dense_.products.clouds.front().string() + ": " + note);
+  }
   SayLengths(result, job.options.dense, job.console);
   points_ = std::move(result.points);
   return {remove_occluded_ ? WithoutOccluded(result.graph) : std::move(result.graph),

@@ -1,5 +1,6 @@
 #include "colmap_ext/verbs/import_model.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,15 @@ namespace limn::colmap_ext {
 void RunImporter(const ImporterOptions& options, Console* console) {
   CheckNewModelFolder(options.output_path);
   std::vector<std::string> notes;
-  const SparseModel model = ImportModel(options, &notes);
+  const ImportedModel imported = ImportModel(options, &notes);
+  const SparseModel& model = imported.model;
   for (const std::string& note : notes) console->Say(note);
   for (const std::string& warning : model.warnings) console->Say("WARNING: " + warning);
-  WriteNewModel(model, options.output_path, options.output_type);
+  WriteNewModel(model, options.output_path, options.output_type,
+                [&](const std::filesystem::path& folder) {
+                  if (imported.masks.empty()) return;
+                  WriteMaskList(imported.masks, options.output_path, folder);
+                });
   console->Say("Written: " + options.output_path + " with " + std::to_string(model.cameras.size()) +
                " cameras, " + std::to_string(model.images.size()) + " images, " +
                std::to_string(model.points.size()) + " points");

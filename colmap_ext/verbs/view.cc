@@ -57,7 +57,8 @@ Points SparsePoints(const Project& project, int budget) {
   return points;
 }
 
-Points DensePoints(const Project& project, const std::vector<fs::path>& files, int budget) {
+Points DensePoints(const Project& project, const std::vector<fs::path>& files, int budget,
+                   Console* console) {
   const size_t num_images = CountRegisteredImages(project.layout().model_dir);
   const DenseCloud cloud = OpenClouds(files, project.views(), num_images);
   Thinning thinning(cloud.num_points, budget);
@@ -65,6 +66,9 @@ Points DensePoints(const Project& project, const std::vector<fs::path>& files, i
   cloud.points([&](const DensePoint& point) {
     if (thinning.Keeps()) points.push_back({point.position, point.color});
   });
+  if (const std::string note = cloud.NoteOnOdd(); !note.empty()) {
+    console->Say("WARNING: " + files.front().string() + ": " + note);
+  }
   return points;
 }
 
@@ -75,9 +79,15 @@ Points CloudOf(const Project& project, const std::string& workspace_path,
     const std::vector<fs::path> files = FindDenseCloud(workspace_path, project.layout().dense_dir);
     if (!files.empty()) {
       console->Say("cloud: " + files.front().string());
-      return DensePoints(project, files, options.max_points);
+      try {
+        return DensePoints(project, files, options.max_points, console);
+      } catch (const IoError& error) {
+        // The page is worth more than its cloud.
+        if (options.cloud == "dense") throw;
+        console->Say("WARNING: " + std::string(error.what()) + ": shown without the dense cloud");
+      }
     }
-    if (options.cloud == "dense") {
+    if (options.cloud == "dense" && files.empty()) {
       throw IoError(workspace_path, "no dense cloud found (looked for fused.ply and pmvs/models)");
     }
   }

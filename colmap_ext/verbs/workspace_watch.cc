@@ -70,9 +70,13 @@ void WorkspaceWatch::WatchImages(const Project& project, const fs::path& mask_di
   for (const fs::path& image : images_) seen_.erase(image);
   images_.clear();
   for (size_t v = 0; v < project.views().size(); ++v) {
-    const std::string& name = project.view_set().ImageName(static_cast<ViewId>(v));
-    images_.insert(project.layout().image_dir / name);
-    if (!mask_dir.empty()) images_.insert(mask_dir / (name + ".png"));
+    const ViewFile& file = project.view_set().files[v];
+    images_.insert(file.image_path);
+    if (!file.mask_path.empty()) {
+      images_.insert(file.mask_path);
+    } else if (!mask_dir.empty()) {
+      images_.insert(mask_dir / (file.image_name + ".png"));
+    }
   }
   for (const fs::path& image : images_) seen_[image] = StampOf(image);
 }

@@ -3,30 +3,32 @@
 #include <set>
 #include <vector>
 
-#include "colmap_ext/workspace/select_images.h"
+#include "colmap_ext/workspace/listed_images.h"
 #include "limn/util/errors.h"
 #include "limn/util/name_list.h"
 
 namespace limn::colmap_ext {
 namespace {
 
-void CheckRegistered(const std::set<std::string>& names, const SparseModel& model,
+void CheckRegistered(const ListedImages& listed, const SparseModel& model,
                      const std::string& list_path) {
   const std::string option = "hold_images = " + list_path + ": ";
-  if (names.empty()) throw OptionError(option + "names no image: name some, or leave it out");
-  std::set<std::string> unknown = names;
-  for (const ModelImage& image : model.images) unknown.erase(image.name);
-  if (unknown.empty()) return;
-  const std::string folder = model.folder.empty() ? "the model" : model.folder.string();
-  throw OptionError(option + "image \"" + *unknown.begin() + "\" is not registered in " + folder +
-                    ": correct its name, or remove it from the list");
+  if (!listed.unknown.empty()) {
+    const std::string folder = model.folder.empty() ? "the model" : model.folder.string();
+    throw OptionError(option + "image \"" + listed.unknown + "\" is not registered in " + folder +
+                      ": correct its name, or remove it from the list");
+  }
+  if (listed.names.empty()) {
+    throw OptionError(option + "names no image: name some, or leave it out");
+  }
 }
 
 }  // namespace
 
 void HoldImages(const SparseModel& model, const std::string& list_path, ViewSet* set) {
-  const std::set<std::string> names = ReadListedNames(list_path);
-  CheckRegistered(names, model, list_path);
+  const ListedImages listed = ReadListedImages(list_path, model);
+  CheckRegistered(listed, model, list_path);
+  const std::set<std::string>& names = listed.names;
   std::set<std::string> unused = names;
   for (size_t v = 0; v < set->views.size(); ++v) {
     if (!names.contains(set->files[v].image_name)) continue;

@@ -8,6 +8,8 @@
 #include <limits>
 #include <string_view>
 
+#include "colmap_ext/workspace/tiff_directory.h"
+
 namespace limn::colmap_ext {
 namespace {
 
@@ -91,33 +93,10 @@ std::optional<ImageSize> ReadJpeg(std::istream& in) {
   return std::nullopt;
 }
 
-// After the first byte. The size is in the first directory of the file.
-std::optional<ImageSize> ReadTiff(std::istream& in, bool is_little_endian) {
-  const auto read = [&](int num_bytes) {
-    return is_little_endian ? ReadLittleEndian(in, num_bytes) : ReadBigEndian(in, num_bytes);
-  };
-  if (in.get() != (is_little_endian ? 'I' : 'M')) return std::nullopt;
-  const int64_t version = read(2);
-  if (version != 42 && version != 43) return std::nullopt;
-  const bool is_big = version == 43;
-  if (is_big) in.ignore(4);  // size of an offset
-  const int offset_bytes = is_big ? 8 : 4;
-  in.seekg(read(offset_bytes));
-  int64_t width = -1, height = -1;
-  int64_t num_entries = std::min<int64_t>(read(is_big ? 8 : 2), UINT16_MAX);
-  for (; num_entries > 0; --num_entries) {
-    const int64_t tag = read(2);
-    const int64_t type = read(2);
-    in.ignore(offset_bytes);  // number of values
-    constexpr int64_t kShort = 3, kLong = 4;
-    const int num_bytes = type == kShort ? 2 : type == kLong ? 4 : offset_bytes;
-    const int64_t value = read(num_bytes);
-    in.ignore(offset_bytes - num_bytes);
-    if (tag == 256 && width < 0) width = value;
-    if (tag == 257 && height < 0) height = value;
-    if (tag > 257) break;  // they are sorted
-  }
-  return CheckedSize(width, height);
+// The largest picture.
+std::optional<ImageSize> ReadTiff(std::istream& in) {
+  const auto directory = LargestTiffDirectory(in);
+  return directory ? std::optional(directory->size) : std::nullopt;
 }
 
 // After the first byte. The height is negative in files whose first row is the top one.
@@ -285,9 +264,8 @@ std::optional<ImageSize> ReadSizeFromHeader(std::istream& in) {
     case 0xFF:
       return in.peek() == 0x4F ? ReadJpeg2000Codes(in) : ReadJpeg(in);
     case 'I':
-      return ReadTiff(in, true);
     case 'M':
-      return ReadTiff(in, false);
+      return ReadTiff(in);
     case 'B':
       return ReadBmp(in);
     case 'R':

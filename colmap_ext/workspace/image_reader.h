@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "colmap_ext/workspace/image_form.h"
 #include "colmap_ext/workspace/image_size.h"
 #include "colmap_ext/workspace/jpeg_check.h"
 #include "limn/model/image.h"
@@ -35,11 +36,13 @@ struct CheckedImage {
 CheckedImage CheckImage(const std::filesystem::path& path, int max_image_size);
 
 // Decodes a photograph that CheckImage has found whole: 8 or 16 bits per channel, gray or color
-// (alpha is dropped), EXIF rotation ignored; values in gray levels 0..255, color as RGB. Shrunk by
-// an area filter to ShrunkSize; JPEG files of more than 16 megapixels are decoded at a half, a
-// quarter or an eighth of their size if that is at least twice the size wanted. Throws IoError as
-// CheckDecodable does, and if the file cannot be decoded or has another bit depth.
-Image ReadImage(const std::filesystem::path& path, int max_image_size = -1);
+// (for alpha see ReadAlpha), turned and stretched as `form` says, by default as stored; values in
+// gray levels 0..255, color as RGB. Shrunk by an area filter to ShrunkSize; JPEG files of more than
+// 16 megapixels are decoded at a half, a quarter or an eighth of their size if that is at least
+// twice the size wanted. Throws IoError as CheckDecodable does, and if the file cannot be decoded
+// or has another bit depth.
+Image ReadImage(const std::filesystem::path& path, int max_image_size = -1,
+                const ImageForm& form = {});
 
 // A decoded photograph.
 struct PhotoPixels {
@@ -50,12 +53,39 @@ struct PhotoPixels {
 };
 
 // The image that ReadImage would make from a file with these pixels.
-Image ImageFromPixels(const PhotoPixels& pixels, int max_image_size = -1);
+Image ImageFromPixels(const PhotoPixels& pixels, int max_image_size = -1,
+                      const ImageForm& form = {});
 
-// Decodes a mask and shrinks it likewise: nonzero where the file is nonzero in the whole area of a
-// pixel. Throws IoError, also if the size of the mask is not `expected` (that of its photograph as
-// stored).
+// What the pixels of a photograph say about their use.
+struct PixelScan {
+  // Of values of 16 bits: all but one in ten thousand at either end. Nothing if there are no such
+  // values.
+  std::optional<LevelRange> values;
+  // Some pixels are less than half opaque, and some are not.
+  bool has_mask = false;
+};
+
+// Decodes the file. Throws IoError as ReadImage does.
+PixelScan ScanPixels(const std::filesystem::path& path);
+PixelScan ScanPixels(const PhotoPixels& pixels);
+
+// The range to show for files whose values lie in this one: rounded outward to an eighth of a power
+// of two, so that more files of the same camera seldom change it. Nothing if they use half of the
+// 16 bits or more, or if there is next to nothing to see.
+std::optional<LevelRange> RangeToShow(const LevelRange& values);
+
+// Decodes a mask of a photograph of the size `expected`, turned upright by `orientation`, and makes
+// it as large as that becomes: nonzero where the file is nonzero in the whole area of a pixel. A
+// pixel is zero if all of its colors are, or its alpha; of files with nothing but alpha that alone
+// counts, and of JPEG, WebP and JPEG 2000 files, which blur, less than half of the largest value.
+// The mask may be larger or smaller than the photograph if the aspect is the same, and turned as
+// its file is. Throws IoError, also if its size does not fit.
 std::vector<unsigned char> ReadMask(const std::filesystem::path& path, ImageSize expected,
-                                    int max_image_size = -1);
+                                    int max_image_size = -1, int orientation = 1);
+
+// The alpha channel of a photograph as a mask, likewise: nonzero where it is at least half opaque.
+// Throws IoError, also if there is none.
+std::vector<unsigned char> ReadAlpha(const std::filesystem::path& path, int max_image_size,
+                                     const ImageForm& form);
 
 }  // namespace limn::colmap_ext

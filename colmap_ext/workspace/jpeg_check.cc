@@ -30,6 +30,9 @@ struct JpegReport {
   std::string error;
   bool has_memory = true;
   bool has_header = false;
+  bool has_end = true;        // its end marker
+  bool runs_out = false;      // of codes before the picture is complete
+  bool has_all_scans = true;  // meaningful if that is missing
   // The codes of pixels, of a file in which many zero bytes cannot be such codes; else empty.
   std::string_view codes;
 };
@@ -55,13 +58,13 @@ std::optional<size_t> NumBytesRead(j_common_ptr decoder) {
   return static_cast<size_t>(next - bytes.data());
 }
 
-// Some cameras fill the end of the picture.
+// Some cameras fill the end of the picture, or of a file without end marker.
 bool IsPadding(j_common_ptr decoder) {
-  const auto end = NumBytesRead(decoder);
-  const auto size = static_cast<size_t>(decoder->err->msg_parm.i[0]);
-  if (!end || size > *end) return false;
   const std::string_view bytes = ReportOf(decoder)->bytes;
-  const std::string_view padding = bytes.substr(*end - size, size);
+  const size_t end = NumBytesRead(decoder).value_or(bytes.size());
+  const auto size = static_cast<size_t>(decoder->err->msg_parm.i[0]);
+  if (size > end) return false;
+  const std::string_view padding = bytes.substr(end - size, size);
   return padding.find_first_not_of('\0') == std::string_view::npos ||
          padding.find_first_not_of('\xFF') == std::string_view::npos;
 }
@@ -69,8 +72,7 @@ bool IsPadding(j_common_ptr decoder) {
 bool IsDamage(int message) {
   return message == JWRN_EXTRANEOUS_DATA || message == JWRN_HIT_MARKER ||
          message == JWRN_HUFF_BAD_CODE || message == JWRN_ARITH_BAD_CODE ||
-         message == JWRN_MUST_RESYNC || message == JWRN_BOGUS_PROGRESSION ||
-         message == JWRN_JPEG_EOF;
+         message == JWRN_MUST_RESYNC || message == JWRN_BOGUS_PROGRESSION;
 }
 
 // Level -1 is a warning, others are traces.
@@ -78,6 +80,13 @@ void TakeMessage(j_common_ptr decoder, int level) {
   if (level >= 0) return;
   const int message = decoder->err->msg_code;
   if (message == JWRN_EXTRANEOUS_DATA && IsPadding(decoder)) return;
+  if (message == JWRN_HIT_MARKER || message == JWRN_MUST_RESYNC) {
+    ReportOf(decoder)->runs_out = true;
+  }
+  if (message == JWRN_JPEG_EOF) {
+    ReportOf(decoder)->has_end = false;
+    return;
+  }
   std::optional<JpegComplaint>& complaint = ReportOf(decoder)->complaint;
   if (complaint && (complaint->is_damage || !IsDamage(message))) return;
   complaint = {MessageOf(decoder), IsDamage(message)};
@@ -117,6 +126,19 @@ bool MayHoldManyZeros(jpeg_decompress_struct* decoder) {
   return !table || table->huffval[0] == kEndOfBlock;
 }
 
+// Whether the scans that were read give all bits of all frequencies. Of files of several scans only
+// progressive ones tell.
+bool HasAllScans(jpeg_decompress_struct* decoder) {
+  if (!jpeg_has_multiple_scans(decoder)) return true;
+  if (!decoder->progressive_mode || !decoder->coef_bits) return false;
+  for (int component = 0; component < decoder->num_components; ++component) {
+    for (int frequency = 0; frequency < DCTSIZE2; ++frequency) {
+      if (decoder->coef_bits[component][frequency] != 0) return false;
+    }
+  }
+  return true;
+}
+
 // `reduction` 0: only the codes, and `rows` is one row. A jump out of here passes no destructors:
 // all objects belong to the caller.
 void ReadRows(int reduction, jpeg_decompress_struct* decoder, std::vector<JSAMPLE>* rows,
@@ -143,12 +165,22 @@ void ReadRows(int reduction, jpeg_decompress_struct* decoder, std::vector<JSAMPL
     JSAMPROW row = rows->data() + (reduction > 0 ? row_size * decoder->output_scanline : 0);
     jpeg_read_scanlines(decoder, &row, 1);
   }
+  report->has_all_scans = HasAllScans(decoder);
   // Without what fills the end of the file.
   const auto end = NumBytesRead(common);
   if (!may_hold_zeros && begin && end) {
     report->codes = std::string_view(report->bytes).substr(*begin, *end - *begin);
   }
   jpeg_finish_decompress(decoder);
+}
+
+// Without its end marker.
+void ComplainOfEnd(JpegReport* report) {
+  if (report->runs_out || !report->has_all_scans || !report->error.empty()) {
+    report->complaint = {"the file ends before the picture does", true, true};
+  } else if (!report->complaint || !report->complaint->is_damage) {
+    report->complaint = {"lacks the end marker of a JPEG file, but nothing of its picture"};
+  }
 }
 
 struct JpegDecoder {
@@ -176,6 +208,7 @@ JpegPixels ReadFile(const std::filesystem::path& path, int reduction, JpegReport
   if (report->codes.find(std::string(kMaxZeroBytes, '\0')) != std::string_view::npos) {
     report->complaint = {"Corrupt JPEG data: zero bytes in place of codes", true};
   }
+  if (!report->has_end) ComplainOfEnd(report);
   return pixels;
 }
 
@@ -187,7 +220,7 @@ std::optional<JpegComplaint> CheckJpeg(const std::filesystem::path& path) {
   ReadFile(path, 0, &report);
   if (report.error.empty()) return report.complaint;
   if (!report.has_header) throw IoError(path.string(), "cannot be decoded: " + report.error);
-  return JpegComplaint{report.error, true};
+  return JpegComplaint{report.error, true, !report.has_end};
 }
 
 std::optional<JpegPixels> DecodeJpeg(const std::filesystem::path& path, int reduction) {

@@ -13,6 +13,8 @@ struct JpegComplaint {
   // The entropy-coded data are wrong. Where the damage begins is unknown: each code depends on
   // those before it, and the decoder accepts garbage until it meets an impossible code.
   bool is_damage = false;
+  // It ends before the picture does. If only its end marker is missing, that is no damage.
+  bool is_truncated = false;
 };
 
 // The first complaint, one of damage if there is any. Nothing for whole files, for files of other

@@ -40,9 +40,22 @@ CheckedImage PhotoStore::Check(const std::string& path, int max_image_size) cons
   return CheckImage(path, max_image_size);
 }
 
-Image PhotoStore::Read(const std::string& path, int max_image_size) const {
-  if (const PhotoPixels* pixels = Find(path)) return ImageFromPixels(*pixels, max_image_size);
-  return ReadImage(path, max_image_size);
+Image PhotoStore::Read(const std::string& path, int max_image_size, const ImageForm& form) const {
+  if (const PhotoPixels* pixels = Find(path)) return ImageFromPixels(*pixels, max_image_size, form);
+  return ReadImage(path, max_image_size, form);
+}
+
+ImageTraits PhotoStore::Traits(const std::string& path) const {
+  const PhotoPixels* pixels = Find(path);
+  if (!pixels) return ReadTraits(std::filesystem::path(path));
+  ImageTraits traits;
+  traits.is_deep = std::holds_alternative<std::vector<uint16_t>>(pixels->values);
+  return traits;
+}
+
+PixelScan PhotoStore::Scan(const std::string& path) const {
+  const PhotoPixels* pixels = Find(path);
+  return pixels ? ScanPixels(*pixels) : ScanPixels(std::filesystem::path(path));
 }
 
 std::string PhotoStore::Identity(const std::string& path) const {

@@ -9,6 +9,7 @@
 
 #include "colmap_ext/workspace/image_reader.h"
 #include "colmap_ext/workspace/image_size.h"
+#include "colmap_ext/workspace/image_traits.h"
 #include "limn/model/image.h"
 
 namespace limn::colmap_ext {
@@ -23,7 +24,10 @@ class PhotoStore {
   bool IsInMemory(const std::string& path) const { return Find(path) != nullptr; }
   // As CheckImage, ReadImage and FileIdentity of image_reader.h and file_identity.h.
   CheckedImage Check(const std::string& path, int max_image_size) const;
-  Image Read(const std::string& path, int max_image_size) const;
+  Image Read(const std::string& path, int max_image_size, const ImageForm& form = {}) const;
+  // As ReadTraits and ScanPixels.
+  ImageTraits Traits(const std::string& path) const;
+  PixelScan Scan(const std::string& path) const;
   std::string Identity(const std::string& path) const;
   // Bytes of the file or of the pixels.
   uint64_t NumBytes(const std::string& path) const;

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <sqlite3.h>
 
+#include "colmap_ext/model/image_name.h"
 #include "limn/util/errors.h"
 #include "limn/util/printable.h"
 
@@ -224,7 +225,7 @@ PosePriors ReadPriorTable(const Database& database, const std::set<std::string>&
                           (has_sensors ? "corr_data_id WHERE corr_sensor_type = 0" : "image_id"));
   PosePriors priors;
   while (rows.Next()) {
-    const std::string image = rows.Text(0);
+    const std::string image = Utf8Name(rows.Text(0));
     if (!images.contains(image)) continue;
     PosePrior prior;
     prior.position = rows.Numbers<Eigen::Vector3d>(1, image);
@@ -250,7 +251,7 @@ PosePriors ReadImageColumns(const Database& database, const std::set<std::string
             "FROM images");
   PosePriors priors;
   while (rows.Next()) {
-    const std::string image = rows.Text(0);
+    const std::string image = Utf8Name(rows.Text(0));
     if (!images.contains(image)) continue;
     const auto x = rows.Number(5), y = rows.Number(6), z = rows.Number(7);
     if (!x || !y || !z) continue;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <functional>
-#include <sstream>
+#include <set>
 #include <system_error>
+#include <utility>
 
 #include "colmap_ext/model/image_name.h"
 #include "colmap_ext/workspace/duplicate_images.h"
-#include "limn/files/whole_file.h"
+#include "colmap_ext/workspace/image_files.h"
+#include "colmap_ext/workspace/listed_images.h"
 #include "limn/util/errors.h"
 #include "limn/util/name_list.h"
 
@@ -17,21 +19,21 @@ namespace {
 namespace fs = std::filesystem;
 
 // Indices into model.images of the images to use, sorted by name.
-std::vector<int> ListedImages(const SparseModel& model, const std::string& image_list_path) {
+std::vector<int> ImagesToUse(const SparseModel& model, const std::string& image_list_path) {
   std::vector<int> selected;
-  std::set<std::string> wanted;
-  if (!image_list_path.empty()) wanted = ReadListedNames(image_list_path);
-  std::set<std::string> unknown = wanted;
+  ListedImages listed;
+  if (!image_list_path.empty()) listed = ReadListedImages(image_list_path, model);
   for (size_t i = 0; i < model.images.size(); ++i) {
     const std::string& name = model.images[i].name;
-    unknown.erase(name);
-    if (image_list_path.empty() || wanted.contains(name)) selected.push_back(static_cast<int>(i));
+    if (image_list_path.empty() || listed.names.contains(name)) {
+      selected.push_back(static_cast<int>(i));
+    }
   }
-  if (!unknown.empty()) {
-    throw IoError(image_list_path, "image \"" + *unknown.begin() + "\" is not registered in " +
-                                       model.folder.string());
+  if (!listed.unknown.empty()) {
+    throw IoError(image_list_path,
+                  "image \"" + listed.unknown + "\" is not registered in " + model.folder.string());
   }
-  if (!image_list_path.empty() && wanted.empty()) {
+  if (!image_list_path.empty() && listed.names.empty()) {
     throw InputError(image_list_path + ": names no image");
   }
   if (selected.empty()) {
@@ -58,25 +60,21 @@ void LeaveOutFar(const SparseModel& model, SelectedImages* selected) {
                                ListNames(names));
 }
 
-std::vector<std::string> PathsOf(const SparseModel& model, const std::vector<int>& selected,
-                                 const fs::path& image_dir) {
+// Of all images of the model, those of these.
+std::vector<std::string> PathsOf(const ImageFiles& files, const std::vector<int>& selected) {
   std::vector<std::string> paths;
-  for (const int index : selected) {
-    const ModelImage& image = model.images[index];
-    paths.push_back((image_dir / (image.file.empty() ? image.name : image.file)).string());
-  }
+  for (const int index : selected) paths.push_back(files.paths[index]);
   return paths;
 }
 
 // Of images that are alike, that with the most 2D points stays.
-void LeaveOutDuplicates(const SparseModel& model, const fs::path& image_dir,
-                        const PhotoStore& photos, const RunContext& context,
-                        SelectedImages* selected) {
+void LeaveOutDuplicates(const SparseModel& model, const ImageFiles& files, const PhotoStore& photos,
+                        const RunContext& context, SelectedImages* selected) {
   std::vector<int> ranked = selected->images;
   std::ranges::stable_sort(ranked, std::greater{},
                            [&](int index) { return model.images[index].observations.size(); });
   const std::vector<DuplicateImage> duplicates =
-      FindDuplicateImages(model, ranked, PathsOf(model, ranked, image_dir), context, photos);
+      FindDuplicateImages(model, ranked, PathsOf(files, ranked), context, photos);
   if (duplicates.empty()) return;
   std::vector<std::string> names;
   std::set<int> left_out;
@@ -117,27 +115,17 @@ void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& ima
 
 }  // namespace
 
-std::set<std::string> ReadListedNames(const std::string& path) {
-  std::istringstream in(ReadWholeFile(path, kMaxListBytes));
-  std::set<std::string> names;
-  const char* space = " \t\r";
-  for (std::string line; std::getline(in, line);) {
-    const size_t begin = line.find_first_not_of(space);
-    if (begin == std::string::npos) continue;
-    names.insert(line.substr(begin, line.find_last_not_of(space) + 1 - begin));
-  }
-  return names;
-}
-
 SelectedImages SelectImages(const SparseModel& model, const fs::path& image_dir,
                             const std::string& image_list_path, const PhotoStore& photos,
                             const RunContext& context) {
-  const std::vector<int> listed = ListedImages(model, image_list_path);
-  SelectedImages selected = {SceneReach(model, listed), listed, {}, {}};
+  const std::vector<int> listed = ImagesToUse(model, image_list_path);
+  SelectedImages selected = {SceneReach(model, listed), listed, {}, {}, {}};
   LeaveOutFar(model, &selected);
-  CheckImagesExist(PathsOf(model, selected.images, image_dir), image_dir, photos);
-  LeaveOutDuplicates(model, image_dir, photos, context, &selected);
-  selected.paths = PathsOf(model, selected.images, image_dir);
+  ImageFiles files = FindImageFiles(model, selected.images, image_dir, photos);
+  CheckImagesExist(PathsOf(files, selected.images), image_dir, photos);
+  LeaveOutDuplicates(model, files, photos, context, &selected);
+  selected.paths = PathsOf(files, selected.images);
+  selected.notes = std::move(files.notes);
   return selected;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,6 @@
 
 namespace limn::colmap_ext {
 
-// The names in a text file, one per line. Throws IoError.
-std::set<std::string> ReadListedNames(const std::string& path);
-
 // The images of a model to work on.
 struct SelectedImages {
   SceneReach reach;  // of all that were asked for
@@ -22,12 +18,13 @@ struct SelectedImages {
   std::vector<int> images;
   std::vector<std::string> paths;
   std::vector<std::string> warnings;
+  std::vector<std::string> notes;  // what else the user should know
 };
 
-// Those in the list, or all without one. Images far outside the scene of the others (SceneReach)
-// and duplicates (FindDuplicateImages) are left out with warnings; of duplicates, the one with the
-// most 2D points stays. Throws IoError if a name in the list is not registered or a file is
-// missing, InputError if no image is left.
+// Those in the list (ReadListedImages), or all without one; their files as FindImageFiles says.
+// Images far outside the scene of the others (SceneReach) and duplicates (FindDuplicateImages) are
+// left out with warnings; of duplicates, the one with the most 2D points stays. Throws IoError if a
+// name in the list is not registered or a file is missing, InputError if no image is left.
 SelectedImages SelectImages(const SparseModel& model, const std::filesystem::path& image_dir,
                             const std::string& image_list_path, const PhotoStore& photos,
                             const RunContext& context);

@@ -28,13 +28,13 @@ ShrinkFactors FactorsOf(const Shrinking& shrinking, const cv::Mat& result) {
 
 void Shrink(const cv::Mat& image, const Shrinking& shrinking, cv::Mat* result) {
   if (result->size() == image.size()) {
-    image.convertTo(*result, CV_32F, shrinking.scale);
+    image.convertTo(*result, CV_32F, shrinking.scale, shrinking.shift);
   } else if (ImageSize{image.cols, image.rows}.NumPixels() > kMaxCopiedPixels) {
     ShrinkRowByRow(image, shrinking, result);
   } else {
     const ShrinkFactors factors = FactorsOf(shrinking, *result);
     cv::Mat levels;
-    image.convertTo(levels, CV_32F, shrinking.scale);
+    image.convertTo(levels, CV_32F, shrinking.scale, shrinking.shift);
     cv::resize(levels, *result, {}, factors.x, factors.y, cv::INTER_AREA);
   }
 }
@@ -47,7 +47,8 @@ void ShrinkRowByRow(const cv::Mat& image, const Shrinking& shrinking, cv::Mat* r
     const double end = std::min<double>((y + 1) / factors.y, image.rows);
     const cv::Range range(static_cast<int>(begin), static_cast<int>(std::ceil(end)));
     cv::Mat levels, narrow;
-    image.rowRange(range).convertTo(levels, CV_32F, shrinking.scale * factors.y);
+    image.rowRange(range).convertTo(levels, CV_32F, shrinking.scale * factors.y,
+                                    shrinking.shift * factors.y);
     cv::resize(levels, narrow, {}, factors.x, 1, cv::INTER_AREA);
     for (int i = range.start; i < range.end; ++i) {
       const double share = std::min(end, i + 1.0) - std::max<double>(begin, i);

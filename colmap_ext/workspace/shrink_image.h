@@ -11,6 +11,7 @@ struct Shrinking {
   ImageSize stored;
   int reduction = 1;
   double scale = 1;  // of values
+  double shift = 0;  // added to the scaled values
 };
 
 // By an area filter to the size of `result`, which is of floats. The last column and row of a

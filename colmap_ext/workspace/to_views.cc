@@ -16,8 +16,12 @@
 #include "colmap_ext/model/camera_calibration.h"
 #include "colmap_ext/model/scene_reach.h"
 #include "colmap_ext/workspace/camera_check.h"
+#include "colmap_ext/workspace/find_masks.h"
 #include "colmap_ext/workspace/hold_images.h"
+#include "colmap_ext/workspace/image_forms.h"
+#include "colmap_ext/workspace/image_header.h"
 #include "colmap_ext/workspace/mounts_of_model.h"
+#include "colmap_ext/workspace/point_frames.h"
 #include "colmap_ext/workspace/select_images.h"
 #include "limn/edges/edge_blur.h"
 #include "limn/model/lens_jacobian.h"
@@ -35,16 +39,17 @@ constexpr double kDoubtfulCameraPx = 2;
 
 // The file may be a resized version of what the camera describes; anything else is a wrong image.
 void CheckSizeFitsCamera(const std::string& path, ImageSize file, const Camera& camera) {
-  const double width = static_cast<double>(camera.width);
-  const double height = static_cast<double>(camera.height);
-  const double error = std::min(std::abs(file.width * height / width - file.height),
-                                std::abs(file.height * width / height - file.width));
-  if (error <= 1) return;
-  throw IoError(path, "the image is " + std::to_string(file.width) + " x " +
-                          std::to_string(file.height) + " pixels, but its camera " +
-                          std::to_string(camera.id) + " is " + std::to_string(camera.width) +
-                          " x " + std::to_string(camera.height) +
-                          ": not the images of this model? (raw and undistorted ones differ)");
+  const auto width = static_cast<double>(camera.width);
+  const auto height = static_cast<double>(camera.height);
+  if (IsResized(file, width, height)) return;
+  const bool is_turned = IsResized(file, height, width);
+  throw IoError(
+      path, "the image is " + std::to_string(file.width) + " x " + std::to_string(file.height) +
+                " pixels, but its camera " + std::to_string(camera.id) + " is " +
+                std::to_string(camera.width) + " x " + std::to_string(camera.height) +
+                (is_turned ? ": is one of them turned? The file has no EXIF orientation that says "
+                             "so: turn it as it was for structure from motion"
+                           : ": not the images of this model? (raw and undistorted ones differ)"));
 }
 
 // What all images of one camera and one file size share.
@@ -97,23 +102,11 @@ std::map<OpticsKey, SharedOptics> MakeAllOptics(const std::map<OpticsKey, const 
   return result;
 }
 
-void CheckMaskFolder(const std::string& mask_dir) {
-  if (std::error_code ignored; !mask_dir.empty() && !fs::is_directory(mask_dir, ignored)) {
-    throw IoError(mask_dir, "no such folder (mask_path)");
-  }
-}
-
-std::string MaskPath(const std::string& mask_dir, const std::string& image_name) {
-  if (mask_dir.empty()) return "";
-  const fs::path path = fs::path(mask_dir) / (image_name + ".png");
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored) ? path.string() : "";
-}
-
 // Nothing if the observation is missing, of another point, no number, beyond what the lens maps, or
 // not in the part that the view is.
-std::optional<PointPixel> PixelOf(const SparseModel& model, const ViewSet& set, ViewId id,
-                                  uint64_t point_id, uint32_t observation) {
+std::optional<PointPixel> PixelOf(const SparseModel& model, const PointFrames& frames,
+                                  const ViewSet& set, ViewId id, uint64_t point_id,
+                                  uint32_t observation) {
   const View& view = set.views[id];
   const ImageWindow* window = set.Window(id);
   const ModelImage& image = model.images[view.model_index];
@@ -123,8 +116,10 @@ std::optional<PointPixel> PixelOf(const SparseModel& model, const ViewSet& set, 
                              window ? window->image_height : view.camera.height);
   const Eigen::Vector2d scale(size.x() / static_cast<double>(camera.width),
                               size.y() / static_cast<double>(camera.height));
-  Eigen::Vector2d stored_px =
-      scale.cwiseProduct(image.observations[observation].position) - Eigen::Vector2d(0.5, 0.5);
+  Eigen::Vector2d model_px = image.observations[observation].position;
+  const auto frame = frames.find(view.model_index);
+  if (frame != frames.end()) model_px = frame->second.CameraPixel(model_px);
+  Eigen::Vector2d stored_px = scale.cwiseProduct(model_px) - Eigen::Vector2d(0.5, 0.5);
   if (!stored_px.allFinite()) return std::nullopt;
   if (window) stored_px = window->WindowFromImage(stored_px);
   const auto pixel = ThroughLens(view.lens.get(), stored_px);
@@ -156,7 +151,8 @@ std::vector<std::pair<ViewId, uint32_t>> Sights(
   return sights;
 }
 
-SceneHints MakeHints(const SparseModel& model, const SceneReach& reach, const ViewSet& set) {
+SceneHints MakeHints(const SparseModel& model, const SceneReach& reach, const PointFrames& frames,
+                     const ViewSet& set) {
   std::unordered_map<uint32_t, std::vector<ViewId>> views_of_image;
   for (size_t view = 0; view < set.views.size(); ++view) {
     const ModelImage& image = model.images[set.views[view].model_index];
@@ -169,7 +165,7 @@ SceneHints MakeHints(const SparseModel& model, const SceneReach& reach, const Vi
     hint.position_in_world = model.points[p].position;
     hint.model_index = p;
     for (const auto& [view, observation] : Sights(model.points[p], views_of_image)) {
-      const auto pixel = PixelOf(model, set, view, model.points[p].id, observation);
+      const auto pixel = PixelOf(model, frames, set, view, model.points[p].id, observation);
       if (set.Window(view) && !pixel) continue;  // in another part
       if (hint.views.empty() || hint.views.back() != view) hint.views.push_back(view);
       if (!hint.pixels.empty() && hint.pixels.back().view == view) continue;
@@ -180,27 +176,36 @@ SceneHints MakeHints(const SparseModel& model, const SceneReach& reach, const Vi
   return hints;
 }
 
-// Nothing if all images have one, or none was asked for.
-void WarnOfMissingMasks(const std::string& mask_dir, const std::vector<ViewFile>& files,
-                        std::vector<std::string>* warnings) {
-  const auto num_without = std::ranges::count(files, "", &ViewFile::mask_path);
-  if (mask_dir.empty() || num_without == 0) return;
-  warnings->push_back(mask_dir + ": " + std::to_string(num_without) + " of " +
-                      std::to_string(files.size()) +
-                      " images have no mask there (<image name>.png) and are used entirely");
+void NoteScaledMasks(const std::vector<ViewFile>& files, std::vector<std::string>* notes) {
+  size_t num_scaled = 0;
+  std::string example;
+  for (const ViewFile& file : files) {
+    if (file.mask_path.empty()) continue;
+    const auto size = ReadSizeFromHeader(fs::path(file.mask_path));
+    if (!size || *size == file.stored_size ||
+        !IsResized(*size, file.stored_size.width, file.stored_size.height)) {
+      continue;
+    }
+    if (num_scaled++ == 0) example = Text(*size) + " for " + Text(file.stored_size);
+  }
+  if (num_scaled == 0) return;
+  notes->push_back(std::to_string(num_scaled) + " masks are of another size than their images (" +
+                   example + "), and are scaled");
 }
 
 // The files of these images, whole; their headers are read in parallel.
 std::vector<ViewFile> ReadFiles(const SparseModel& model, const SelectedImages& used,
                                 const ViewOptions& options, const PhotoStore& photos,
-                                const RunContext& context, std::vector<std::string>* warnings) {
+                                const RunContext& context, ViewSet* set) {
   std::vector<ViewFile> files(used.images.size());
+  FoundMasks masks = FindMasks(options.mask_path, model, used.images, used.paths);
   for (size_t i = 0; i < files.size(); ++i) {
     files[i].image_name = model.images[used.images[i]].name;
     files[i].image_path = used.paths[i];
-    files[i].mask_path = MaskPath(options.mask_path, files[i].image_name);
+    files[i].mask_path = std::move(masks.paths[i]);
   }
-  WarnOfMissingMasks(options.mask_path, files, warnings);
+  set->warnings.insert(set->warnings.end(), masks.warnings.begin(), masks.warnings.end());
+  set->notes.insert(set->notes.end(), masks.notes.begin(), masks.notes.end());
   std::vector<std::optional<JpegComplaint>> complaints(files.size());
   ParallelFor(context, "image headers", files.size(), [&](size_t i) {
     const bool is_panorama = model.CameraOf(model.images[used.images[i]]).IsPanorama();
@@ -212,9 +217,11 @@ std::vector<ViewFile> ReadFiles(const SparseModel& model, const SelectedImages& 
   for (size_t i = 0; i < files.size(); ++i) {
     if (!complaints[i]) continue;
     files[i].is_damaged = complaints[i]->is_damage;
-    warnings->push_back(files[i].image_path + ": " + complaints[i]->text +
-                        (complaints[i]->is_damage ? "; the whole image counts as masked" : ""));
+    set->warnings.push_back(files[i].image_path + ": " + complaints[i]->text +
+                            (complaints[i]->is_damage ? "; the whole image counts as masked" : ""));
   }
+  SetForms(model, used.images, photos, context, &files, &set->notes);
+  NoteScaledMasks(files, &set->notes);
   return files;
 }
 
@@ -247,10 +254,8 @@ std::vector<double> MeasureScales(const SparseModel& model, const SelectedImages
   std::vector<std::optional<double>> blurs(files.size());
   ParallelFor(context, "sharpness of images", measured.size(), [&](size_t k) {
     const ViewFile& file = files[measured[k]];
-    Image image = photos.Read(file.image_path, options.max_image_size);
-    if (!file.mask_path.empty()) {
-      image.mask = ReadMask(file.mask_path, file.stored_size, options.max_image_size);
-    }
+    Image image = photos.Read(file.image_path, options.max_image_size, file.form);
+    image.mask = ReadFileMask(file, options.max_image_size);
     blurs[measured[k]] = MeasureEdgeBlur(image);
   });
   for (const auto& [key, of_camera] : alike) {
@@ -300,8 +305,19 @@ void AddWarnings(const SparseModel& model, const SelectedImages& used,
   }
 }
 
-void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, double max_px,
-                     ViewSet* set) {
+// The frames of 2D points that are pixels of other pictures, as the hints then take them.
+PointFrames SetHints(const SparseModel& model, const SelectedImages& used, ViewSet* set) {
+  set->hints = MakeHints(model, used.reach, {}, *set);
+  if (CheckCameras(*set, kDoubtfulCameraPx).misfits.empty()) return {};
+  PointFrames frames = FindPointFrames(model, used.images, kDoubtfulCameraPx);
+  if (frames.empty()) return frames;
+  set->hints = MakeHints(model, used.reach, frames, *set);
+  set->notes.push_back(DescribeFrames(frames, model, used.images.size()));
+  return frames;
+}
+
+void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, const PointFrames& frames,
+                     double max_px, ViewSet* set) {
   const CameraCheck check = CheckCameras(*set, max_px);
   if (check.misfits.empty()) return;
   const std::string misses = Describe(check, max_px);
@@ -322,7 +338,7 @@ void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, double m
   }
   set->views = std::move(views);
   set->files = std::move(files);
-  set->hints = MakeHints(model, reach, *set);
+  set->hints = MakeHints(model, reach, frames, *set);
 }
 
 void WarnOfMisfits(ViewSet* set) {
@@ -437,24 +453,23 @@ double ScaleOf(double edge_blur_px, double max_scale) {
 ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewOptions& options,
                 const RunContext& context, const PhotoStore& photos) {
   options.Check();
-  CheckMaskFolder(options.mask_path);
   const SelectedImages used =
       SelectImages(model, image_dir, options.image_list_path, photos, context);
   ViewSet set;
   set.warnings = model.warnings;
   set.warnings.insert(set.warnings.end(), used.warnings.begin(), used.warnings.end());
   set.left_out = used.warnings;
+  set.notes = used.notes;
   set.max_image_size = options.max_image_size;
   set.photos = photos;
-  const std::vector<ViewFile> files =
-      ReadFiles(model, used, options, photos, context, &set.warnings);
+  const std::vector<ViewFile> files = ReadFiles(model, used, options, photos, context, &set);
   const std::vector<double> scales = MeasureScales(model, used, files, options, photos, context);
   AddViews(model, used.images, files, scales, options, context, &set);
   ApplyMasks(options.border_margin_px, context, &set);
-  set.hints = MakeHints(model, used.reach, set);
+  const PointFrames frames = SetHints(model, used, &set);
   AddWarnings(model, used, files, &set.warnings);
   if (options.max_reprojection_px > 0) {
-    LeaveOutMisfits(model, used.reach, options.max_reprojection_px, &set);
+    LeaveOutMisfits(model, used.reach, frames, options.max_reprojection_px, &set);
   }
   WarnOfMisfits(&set);
   set.mounts = MountsOf(model, set);

@@ -17,8 +17,8 @@ namespace limn::colmap_ext {
 struct ViewOptions {
   // Text file with the names of the images to use, one per line. Empty = all registered images.
   std::string image_list_path;
-  // Folder of masks, <mask_path>/<image name>.png as in COLMAP: pixels where they are 0 are not
-  // used. An image without a mask is used entirely, with a warning. Empty = no masks.
+  // Folder of masks, list of masks or mask of all images (FindMasks): pixels where they are 0 are
+  // not used. An image without a mask is used entirely, with a warning. Empty = no masks.
   std::string mask_path;
   // Longer side of the images in pixels, of panoramas that of a quarter of their width; larger ones
   // are shrunk by an area filter, which is faster and coarser. -1 = as stored.
@@ -54,9 +54,12 @@ double ScaleOf(double edge_blur_px, double max_scale);
 // the others (SceneReach) and, on request (max_reprojection_px), cameras that do not fit the
 // points. Photographs may be in memory: those that `photos` has at <image_dir>/<image name>.
 //
+// Photographs are turned and stretched, and masked by their alpha channels, as SetForms says; 2D
+// points that are pixels of pictures of another size count where they belong (FindPointFrames).
+//
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
-// the list is not registered, a mask has the wrong size. Throws InputError if no image is left, and
-// what HoldImages throws.
+// the list is not registered, a mask has another aspect, and what FindMasks throws. Throws
+// InputError if no image is left, and what HoldImages throws.
 ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,
                 const ViewOptions& options, const RunContext& context = {},
                 const PhotoStore& photos = {});

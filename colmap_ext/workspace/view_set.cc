@@ -83,7 +83,9 @@ Image Cut(const Image& image, const ImageWindow& window) {
 Image ReadPixels(const ViewSet& set, ViewId view) {
   if (set.files[view].is_damaged) return BlackImage(set.ReadSize(view));
   const std::string& path = set.files[view].image_path;
-  const auto decode = [&] { return set.photos.Read(path, set.MaxFileSize(view)); };
+  const auto decode = [&] {
+    return set.photos.Read(path, set.MaxFileSize(view), set.files[view].form);
+  };
   const ImageWindow* window = set.Window(view);
   if (!window) return decode();
   const auto whole = set.decoded->images.Get(path, IsLastPart(set, view), decode);
@@ -121,24 +123,28 @@ int MaxSizeOfFile(bool is_panorama, int max_image_size) {
   return is_panorama && max_image_size > 0 ? 4 * max_image_size : max_image_size;
 }
 
+View InStoredImage(const ViewSet& view_set, ViewId id, View view) {
+  const ViewFile& file = view_set.files[id];
+  const ImageWindow* window = view_set.Window(id);
+  const Eigen::Array2d stored(file.stored_size.width, file.stored_size.height);
+  const Eigen::Array2d used(window ? window->image_width : view.camera.width,
+                            window ? window->image_height : view.camera.height);
+  if (!window && (stored == used).all()) return view;
+  const Eigen::Array2d origin =
+      window ? Eigen::Array2d(window->x, window->y) : Eigen::Array2d(Eigen::Array2d::Zero());
+  if (window) view.name = file.image_name;
+  if (view.lens) {
+    view.lens = std::make_shared<FileLens>(view.lens, stored / used, origin);
+  } else {
+    view = Resized(std::move(view), stored / used);
+    view.scale = 1;
+  }
+  return view;
+}
+
 std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> views) {
   for (size_t v = 0; v < views.size(); ++v) {
-    const ViewFile& file = view_set.files[v];
-    const ImageWindow* window = view_set.Window(static_cast<ViewId>(v));
-    const PinholeCamera& camera = views[v].camera;
-    const Eigen::Array2d stored(file.stored_size.width, file.stored_size.height);
-    const Eigen::Array2d used(window ? window->image_width : camera.width,
-                              window ? window->image_height : camera.height);
-    if (!window && (stored == used).all()) continue;
-    const Eigen::Array2d origin =
-        window ? Eigen::Array2d(window->x, window->y) : Eigen::Array2d(Eigen::Array2d::Zero());
-    views[v].name = file.image_name;
-    if (views[v].lens) {
-      views[v].lens = std::make_shared<FileLens>(views[v].lens, stored / used, origin);
-    } else {
-      views[v] = Resized(std::move(views[v]), stored / used);
-      views[v].scale = 1;
-    }
+    views[v] = InStoredImage(view_set, static_cast<ViewId>(v), std::move(views[v]));
   }
   return views;
 }
@@ -150,23 +156,38 @@ std::vector<View> InImagePixels(std::vector<View> views) {
 
 namespace {
 
+bool HasMask(const ViewFile& file) { return !file.mask_path.empty() || file.form.has_mask; }
+
 // Of the image of the view.
 std::vector<unsigned char> ReadImageMask(const ViewSet& view_set, ViewId view) {
   if (view_set.files[view].is_damaged) {
     return std::vector<unsigned char>(view_set.ReadSize(view).NumPixels(), 0);
   }
-  const std::string& path = view_set.files[view].mask_path;
-  if (path.empty()) return {};
-  const auto decode = [&] {
-    return ReadMask(path, view_set.files[view].stored_size, view_set.MaxFileSize(view));
-  };
+  const ViewFile& file = view_set.files[view];
+  const auto decode = [&] { return ReadFileMask(file, view_set.MaxFileSize(view)); };
   const ImageWindow* window = view_set.Window(view);
-  if (!window) return decode();
-  return CutPixels(*view_set.decoded->masks.Get(path, IsLastPart(view_set, view), decode), *window,
-                   1);
+  if (!window || !HasMask(file)) return decode();
+  return CutPixels(
+      *view_set.decoded->masks.Get(file.image_path, IsLastPart(view_set, view), decode), *window,
+      1);
 }
 
 }  // namespace
+
+std::vector<unsigned char> ReadFileMask(const ViewFile& file, int max_image_size) {
+  std::vector<unsigned char> mask;
+  if (!file.mask_path.empty()) {
+    mask = ReadMask(file.mask_path, file.stored_size, max_image_size, file.form.orientation);
+  }
+  if (!file.form.has_mask) return mask;
+  std::vector<unsigned char> alpha = ReadAlpha(file.image_path, max_image_size, file.form);
+  if (mask.empty()) return alpha;
+  if (alpha.size() != mask.size()) {
+    throw IoError(file.image_path, "the image changed its size while Limn was running");
+  }
+  for (size_t i = 0; i < mask.size(); ++i) mask[i] = mask[i] && alpha[i];
+  return mask;
+}
 
 std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
   const PinholeCamera& camera = view_set.views[view].camera;

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "colmap_ext/model/panorama.h"
+#include "colmap_ext/workspace/image_form.h"
 #include "colmap_ext/workspace/image_size.h"
 #include "colmap_ext/workspace/last_decoded.h"
 #include "colmap_ext/workspace/photo_store.h"
@@ -24,9 +25,10 @@ struct ViewFile {
   std::string image_name;  // that of the view, unless this is a part
   std::string image_path;
   std::string mask_path;  // empty = no mask
-  ImageSize stored_size;  // before max_image_size
+  ImageSize stored_size;  // before max_image_size; after turning, if the form says so
   // As CheckJpeg says; then all of it is masked.
   bool is_damaged = false;
+  ImageForm form = {};
   // Of a part: where it is in the image, after max_image_size, and how it is turned in it.
   std::optional<ImageWindow> window = std::nullopt;
   Eigen::Quaterniond view_from_image = Eigen::Quaterniond::Identity();
@@ -49,6 +51,7 @@ struct ViewSet {
   int max_image_size = -1;
   PhotoStore photos;  // what is at the paths of the images
   std::vector<std::string> warnings;
+  std::vector<std::string> notes;     // what else the user should know
   std::vector<std::string> left_out;  // the warnings that name images that were left out, and why
 
   bool HasPanoramas() const;
@@ -71,14 +74,19 @@ struct ViewSet {
 // stored.
 int MaxSizeOfFile(bool is_panorama, int max_image_size);
 
-// These views of the set (with refined cameras, maybe), with the names of their images, and pixels
-// of the whole images as they are stored, whatever the size at which they are used. Columns of a
-// panorama continue across its left border: they run from -1/8 to 7/8 of its width. For tracks: of
-// views with a lens cameras stay.
+// A view of the set (with a refined camera, maybe), with the name of its image, and pixels of the
+// whole image as it is stored, whatever the size at which it is used. Columns of a panorama
+// continue across its left border: they run from -1/8 to 7/8 of its width. For tracks: of views
+// with a lens cameras stay.
+View InStoredImage(const ViewSet& view_set, ViewId id, View view);
 std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> views);
 
 // Views with pixels as large as those of the images that are read: for lengths in footprints.
 std::vector<View> InImagePixels(std::vector<View> views);
+
+// The mask of a file, which is that of its own file and its alpha channel, after max_image_size;
+// empty if it has neither. Throws IoError.
+std::vector<unsigned char> ReadFileMask(const ViewFile& file, int max_image_size);
 
 // One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
 // pixels may be used. Throws IoError.

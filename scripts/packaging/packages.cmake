@@ -29,7 +29,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
 
 set(dev_packages libeigen3-dev)
 if(NOT BUILD_SHARED_LIBS)
-  string(APPEND dev_packages ", libceres-dev, libjpeg-dev, liblz4-dev, libopencv-dev, libsqlite3-dev, libtbb-dev, zlib1g-dev")
+  string(APPEND dev_packages ", libceres-dev, libicu-dev, libjpeg-dev, liblz4-dev, libopencv-dev, libsqlite3-dev, libtbb-dev, zlib1g-dev")
   if(LIMN_WITH_STEP)
     string(APPEND dev_packages ", libocct-data-exchange-dev")
   endif()

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/files/text_file.h"
 #include "limn/util/errors.h"
 #include "limn/util/printable.h"
 
@@ -134,6 +135,7 @@ class JsonBuilder : public nlohmann::json_sax<Json> {
 
 Json ParseJson(const std::string& path, const std::string& text, size_t max_values,
                const TakeJsonItem& take) {
+  MarkLength(path, text);  // the parser skips the mark
   JsonBuilder builder(path, text, max_values, take);
   Json::sax_parse(text, &builder);
   return builder.Take();

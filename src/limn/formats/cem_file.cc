@@ -4,8 +4,8 @@
 #include <cmath>
 #include <ostream>
 
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 #include "limn/formats/check_edgel.h"
 #include "limn/util/number_text.h"
 
@@ -72,7 +72,7 @@ double MeanStrength(const ImageCurves& curves, const CurveFragment& fragment) {
 }  // namespace
 
 ImageCurves ReadCem(const std::string& path) {
-  const std::string text = WithoutDecoration(ReadWholeFile(path));
+  const std::string text = WithoutDecoration(ReadTextFile(path));
   TextScanner scanner(path, text);
   Expect(&scanner, ".CEM");
   Expect(&scanner, "v2.0");

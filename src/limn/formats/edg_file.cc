@@ -5,8 +5,8 @@
 #include <optional>
 #include <ostream>
 
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 #include "limn/formats/check_edgel.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
@@ -90,7 +90,7 @@ Edgel ReadEdgel(TextScanner* scanner, const EdgHeader& header) {
 }  // namespace
 
 EdgeMap ReadEdg(const std::string& path) {
-  const std::string text = WithoutBrackets(ReadWholeFile(path));
+  const std::string text = WithoutBrackets(ReadTextFile(path));
   TextScanner scanner(path, text);
   const EdgHeader header = ReadHeader(&scanner);
   EdgeMap map;

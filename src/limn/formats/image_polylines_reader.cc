@@ -1,7 +1,7 @@
 #include "limn/formats/image_polylines_reader.h"
 
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 #include "limn/model/edge_map.h"
 
 namespace limn {
@@ -34,7 +34,7 @@ ImagePolyline ReadImagePolyline(TextScanner* scanner, int width, int height) {
 }  // namespace
 
 std::vector<ImagePolyline> ReadImagePolylines(const std::string& path, int width, int height) {
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   std::vector<ImagePolyline> polylines;
   double total = 0;

@@ -1,7 +1,7 @@
 #include "limn/formats/line3dpp_reader.h"
 
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 
 namespace limn {
 namespace {
@@ -40,7 +40,7 @@ void ReadFacet(TextScanner* scanner, CurveSet* set) {
 }  // namespace
 
 CurveSet ReadLine3dppText(const std::string& path) {
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   CurveSet set;
   while (!scanner.AtEnd()) {
@@ -59,7 +59,7 @@ CurveSet ReadLine3dppText(const std::string& path) {
 }
 
 CurveSet ReadLine3dppStl(const std::string& path) {
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   ExpectWord("solid", &scanner);
   scanner.RestOfLine();

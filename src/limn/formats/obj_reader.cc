@@ -2,8 +2,8 @@
 
 #include <charconv>
 
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 #include "limn/formats/curve_chains.h"
 
 namespace limn {
@@ -100,13 +100,13 @@ class ObjParser {
 }  // namespace
 
 CurveSet ReadObjCurves(const std::string& path) {
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   return ObjParser(&scanner, /*curves=*/true, /*faces=*/false).Curves();
 }
 
 FaceSoup ReadObjFaces(const std::string& path) {
-  const std::string text = ReadWholeFile(path, kMaxMeshBytes);
+  const std::string text = ReadTextFile(path, kMaxMeshBytes);
   TextScanner scanner(path, text);
   return ObjParser(&scanner, /*curves=*/false, /*faces=*/true).Faces();
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "limn/files/whole_file.h"
@@ -18,7 +19,9 @@ constexpr size_t kBlockBytes = 1 << 22;
 
 class PointReader {
  public:
-  explicit PointReader(const std::string& path) : path_(path), in_(OpenFile(path)) {
+  explicit PointReader(const std::string& path,
+                       std::function<void(const PlyPoint&)> visit_odd = nullptr)
+      : path_(path), visit_odd_(std::move(visit_odd)), in_(OpenFile(path)) {
     std::string start(kMaxPlyHeaderBytes + 1, '\0');
     in_.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<size_t>(in_.gcount()));
@@ -107,19 +110,25 @@ class PointReader {
   void Visit(const std::vector<double>& values, const char* unit, uint64_t place,
              const std::function<void(const PlyPoint&)>& visit) const {
     PlyPoint point;
+    bool is_odd = false;
     for (int axis = 0; axis < 3; ++axis) {
       point.position[axis] = values[column_[axis]];
       if (Has(3)) point.normal[axis] = values[column_[3 + axis]];
       if (Has(6)) {
         const double color = values[column_[6 + axis]];
-        if (std::isnan(color)) Fail(unit, place, "color is not a number");
+        if (std::isnan(color)) {
+          if (!visit_odd_) Fail(unit, place, "color is not a number");
+          is_odd = true;
+          continue;
+        }
         point.color[axis] = static_cast<uint8_t>(std::clamp(color, 0.0, 255.0));
       }
     }
     if (!point.position.allFinite() || !point.normal.allFinite()) {
-      Fail(unit, place, "number not finite");
+      if (!visit_odd_) Fail(unit, place, "number not finite");
+      is_odd = true;
     }
-    visit(point);
+    (is_odd ? visit_odd_ : visit)(point);
   }
 
   [[noreturn]] void Fail(const char* unit, uint64_t place, const std::string& reason) const {
@@ -127,6 +136,7 @@ class PointReader {
   }
 
   std::string path_;
+  std::function<void(const PlyPoint&)> visit_odd_;
   std::ifstream in_;
   PlyHeader header_;
   std::vector<size_t> offset_;
@@ -138,8 +148,9 @@ class PointReader {
 
 PlyPointsInfo ReadPlyPointsInfo(const std::string& path) { return PointReader(path).Info(); }
 
-void ReadPlyPoints(const std::string& path, const std::function<void(const PlyPoint&)>& visit) {
-  PointReader(path).Run(visit);
+void ReadPlyPoints(const std::string& path, const std::function<void(const PlyPoint&)>& visit,
+                   const std::function<void(const PlyPoint&)>& visit_odd) {
+  PointReader(path, visit_odd).Run(visit);
 }
 
 }  // namespace limn

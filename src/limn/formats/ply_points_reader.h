@@ -26,7 +26,10 @@ struct PlyPointsInfo {
 // Throws IoError.
 PlyPointsInfo ReadPlyPointsInfo(const std::string& path);
 
-// Throws IoError with line or byte: too short, non-finite numbers.
-void ReadPlyPoints(const std::string& path, const std::function<void(const PlyPoint&)>& visit);
+// Throws IoError with line or byte: too short, or non-finite numbers, unless there is a
+// `visit_odd`, which is then called instead with the point as it is (a color that is no number is
+// 0).
+void ReadPlyPoints(const std::string& path, const std::function<void(const PlyPoint&)>& visit,
+                   const std::function<void(const PlyPoint&)>& visit_odd = nullptr);
 
 }  // namespace limn

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
-#include "limn/files/whole_file.h"
 #include "limn/formats/curve_chains.h"
 #include "limn/util/errors.h"
 
@@ -11,7 +11,7 @@ namespace limn {
 namespace {
 
 std::vector<Eigen::Vector3d> ReadPoints(const std::string& path) {
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   std::vector<Eigen::Vector3d> points;
   while (!scanner.AtEnd()) {
@@ -34,7 +34,7 @@ CurveSet ReadIndexedCurves(const std::string& points_path, const std::string& ed
   EdgeSoup soup;
   soup.vertices = ReadPoints(points_path);
   soup.merge_copies = true;
-  const std::string text = ReadWholeFile(edges_path);
+  const std::string text = ReadTextFile(edges_path);
   TextScanner scanner(edges_path, text);
   const double count = static_cast<double>(soup.vertices.size());
   const auto next_index = [&] {

@@ -113,10 +113,27 @@ TEST(DenseCloud, DamagedCloudIsTold) {
   std::string bad = whole;
   bad.replace(bad.find("1 2 3"), 5, "1 x 3");
   EXPECT_THAT(error_of(bad), HasSubstr("line 14: \"x\" is not a number"));
-  bad.replace(bad.find("1 x 3"), 5, "1 nan 3");
-  EXPECT_THAT(error_of(bad), HasSubstr("line 14: number not finite"));
   EXPECT_THAT(error_of("ply\nformat ascii 1.0\nelement face 1\nend_header\n"),
               HasSubstr("the first element is not vertex"));
+}
+
+TEST(DenseCloud, OddPointsAreLeftOutAndCounted) {
+  const TempDir dir;
+  std::string bytes = kCloud;
+  bytes.replace(bytes.find("vertex 2"), 8, "vertex 6");
+  bytes += "nan 2 3 0 0 1 1 1 1\n1 2 3 0 nan 1 1 1 1\n1e33 2 3 0 0 1 1 1 1\n7 8 9 0 0 1 1 1 1\n";
+  const std::string path = dir.WriteFile("fused.ply", bytes);
+  dir.WriteFile("fused.ply.vis", Visibility({{3, 0}, {1}, {}, {2}, {0, 2}, {0}}));
+  const DenseCloud cloud = OpenClouds({path}, ThreeViews(), 4);
+  for (int time = 0; time < 2; ++time) {
+    const std::vector<DensePoint> points = ReadAll(cloud);
+    ASSERT_EQ(points.size(), 3u);
+    EXPECT_EQ(points[2].position, Eigen::Vector3d(7, 8, 9));
+    EXPECT_THAT(points[2].views, ElementsAre(1));  // those of its own line
+    EXPECT_THAT(cloud.NoteOnOdd(), HasSubstr("3 of 6 points of the cloud are left out"));
+  }
+  EXPECT_THAT(ErrorText<IoError>([&] { ReadPlyPoints(path, [](const PlyPoint&) {}); }),
+              HasSubstr("line 16: number not finite"));
 }
 
 TEST(PlyPoints, ColorsOfAnyType) {

@@ -5,7 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/import/import_test_base.h"
+#include "colmap_ext/import/model_import.h"
+#include "colmap_ext/import/new_model_folder.h"
 #include "colmap_ext/model/test_model.h"
+#include "colmap_ext/workspace/find_masks.h"
+#include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -62,6 +66,30 @@ TEST_F(NerfTransforms, GiveTheSameProjections) {
   ExpectSameProjections(model, known_);
   EXPECT_EQ(model.cameras.size(), 1u);
   EXPECT_EQ(model.cameras[0].model, CameraModelId::kPinhole);
+}
+
+TEST_F(NerfTransforms, MasksOfFramesAreListed) {
+  Json file = File(known_);
+  file["frames"][0]["mask_path"] = "masks\\one.png";
+  file["frames"][2]["mask_path"] = "./masks/three.png";
+  dir_.WriteFile("masks/one.png", "");
+  dir_.WriteFile("masks/three.png", "");
+  ImporterOptions options;
+  options.input_path = Write(file);
+  options.image_path = images_;
+  std::vector<std::string> notes;
+  const ImportedModel imported = ImportModel(options, &notes);
+  EXPECT_THAT(notes, Contains(HasSubstr("2 of 3 images have masks")));
+  WriteNewModel(imported.model, dir_ / "sparse/0", ModelFlavor::kBinary,
+                [&](const fs::path& to) { WriteMaskList(imported.masks, dir_ / "sparse/0", to); });
+  const std::string list = MaskListOf(dir_ / "sparse/0");
+  const FoundMasks found = FindMasks(list, imported.model, {0, 1, 2}, {"", "", ""});
+  EXPECT_EQ(found.paths[0], fs::canonical(dir_ / "masks/one.png").string());
+  EXPECT_EQ(found.paths[1], "");
+  file["frames"][1]["mask_path"] = "masks/two.png";
+  EXPECT_THAT(ErrorWith(file), HasSubstr("frame 1: mask \"masks/two.png\" is missing"));
+  file["frames"][1]["mask_path"] = 7;
+  EXPECT_THAT(ErrorWith(file), HasSubstr("frame 1: mask_path is not a text"));
 }
 
 TEST_F(NerfTransforms, CameraAnglesAreForTheWholeImage) {

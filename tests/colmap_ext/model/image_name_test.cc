@@ -24,12 +24,22 @@ TEST(ProblemOfName, RefusesTheRest) {
   for (const char* name : {"/a.jpg", "../a.jpg", "a/../../b.jpg"}) {
     EXPECT_THAT(ProblemOfName(name), HasSubstr("leads out of the image folder"));
   }
-  // Latin-1, cut, overlong, surrogate, above U+10FFFF, lone continuation.
-  for (const char* name : {"Fl\xE4"
+}
+
+TEST(Utf8Name, IsTheNameOrItsBytes) {
+  for (const char* name : {"a b.jpg",
+                           "Fl\xC3\xA4"
                            "che",
-                           "a\xE6\x97", "\xC0\xAF", "\xE0\x80\xAF", "\xF0\x80\x80\xAF",
+                           "\xF0\x9F\x98\x80.png"}) {
+    EXPECT_EQ(Utf8Name(name), name);
+  }
+  EXPECT_EQ(Utf8Name("Fl\xE4"
+                     "che/a.jpg"),
+            "Fl\\xE4che/a.jpg");
+  // Cut, overlong, surrogate, above U+10FFFF, lone continuation.
+  for (const char* name : {"a\xE6\x97", "\xC0\xAF", "\xE0\x80\xAF", "\xF0\x80\x80\xAF",
                            "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\x80"}) {
-    EXPECT_THAT(ProblemOfName(name), HasSubstr("not UTF-8")) << name;
+    EXPECT_THAT(Utf8Name(name), HasSubstr("\\x")) << name;
   }
 }
 

@@ -94,6 +94,32 @@ TEST(TextModel, RestOfTheLineIsTheName) {
   EXPECT_EQ(model.images.at(0).name, "sub dir/im  01.png");
 }
 
+TEST(TextModel, MarksOfUtf8AreSkipped) {
+  for (const char* start : {"", "# a\n"}) {
+    const std::string mark = std::string("\xEF\xBB\xBF") + start;
+    const SparseModel model =
+        ReadText(mark + kCamera, mark + kImage, mark + "1 0 0 1 9 9 9 0.5 1 0\n");
+    EXPECT_EQ(model.images.at(0).name, "a.png");
+    EXPECT_EQ(model.points.size(), 1u);
+  }
+}
+
+TEST(TextModel, Utf16IsNamed) {
+  EXPECT_THAT(ErrorOfText(std::string("\xFF\xFE#\0 \0\n\0", 8)),
+              HasSubstr("cameras.txt: is text in UTF-16"));
+  EXPECT_THAT(ErrorOfText(kCamera, std::string("\xFE\xFF\0#\0\n", 6)),
+              HasSubstr("images.txt: is text in UTF-16"));
+}
+
+TEST(TextModel, NamesInCodePagesKeepTheirBytes) {
+  const SparseModel model = ReadText(kCamera, "1 1 0 0 0 0 0 1 1 \xBD\xD8.png\n\n", "");
+  EXPECT_EQ(model.images.at(0).name, "\\xBD\\xD8.png");
+  EXPECT_EQ(model.images.at(0).StoredName(), "\xBD\xD8.png");
+  std::ostringstream out;
+  WriteImagesText(model, out);
+  EXPECT_THAT(out.str(), HasSubstr(" \xBD\xD8.png\n"));
+}
+
 TEST(TextModel, WindowsLineEndsAndTabsAreRead) {
   const SparseModel model = ReadText(
       "# c\r\n1\tPINHOLE 640  480 500 500 320 240\r\n",

@@ -175,6 +175,8 @@ class Drawings(unittest.TestCase):
             in_camera = link.points @ camera.R.T + camera.t
             projected = in_camera @ camera.K.T
             projected = projected[:, :2] / projected[:, 2:]
+            # Of the image as it is stored, whatever the size at which it was drawn.
+            projected = (projected + 0.5) * np.array([640, 480]) / (camera.width, camera.height) - 0.5
             self.assertEqual(track.shape[1], 2)
             if not np.isnan(track).any() and len(track) == len(projected):
                 self.assertLess(np.abs(track - projected).max(), 1e-6)

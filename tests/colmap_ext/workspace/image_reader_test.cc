@@ -18,6 +18,7 @@
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/error_line.h"
 #include "colmap_ext/workspace/image_header.h"
+#include "colmap_ext/workspace/image_traits.h"
 #include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/util/errors.h"
 
@@ -232,9 +233,102 @@ TEST_F(ImageReader, MaskCountsOnlyPixelsThatAreWholeInside) {
   EXPECT_THAT(ReadMask(path, {4, 2}), ::testing::ElementsAre(1, 1, 1, 1, 1, 1, 1, 0));
   EXPECT_THAT(ReadMask(path, {4, 2}, 2), ::testing::ElementsAre(1, 0));
   EXPECT_THAT(ErrorText<IoError>([&] {
-                ReadMask(path, {4, 3});
+                ReadMask(path, {4, 4});
               }),
-              HasSubstr("the mask is 4 x 2 pixels, its image 4 x 3"));
+              HasSubstr("the mask is 4 x 2 pixels, its image 4 x 4: the aspect must be the same"));
+}
+
+TEST_F(ImageReader, MasksOfOtherSizesAreScaled) {
+  cv::Mat gray(2, 4, CV_8UC1, cv::Scalar(255));
+  gray.at<uchar>(0, 0) = 0;
+  const std::string path = Write("mask.png", gray);
+  EXPECT_THAT(ReadMask(path, {8, 4}),
+              ::testing::ElementsAre(0, 0, 1, 1, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 1, 1,  //
+                                     1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1));
+  EXPECT_THAT(ReadMask(path, {8, 4}, 2), ::testing::ElementsAre(0, 1));
+  EXPECT_THAT(ReadMask(path, {2, 1}), ::testing::ElementsAre(0, 1));
+  // Of the file as it is stored, though the photograph is turned by 90 degrees clockwise.
+  EXPECT_THAT(ReadMask(path, {2, 4}, -1, 6), ::testing::ElementsAre(1, 0, 1, 1, 1, 1, 1, 1));
+}
+
+TEST_F(ImageReader, MasksOfAllKinds) {
+  const auto use_of = [&](const std::string& name, const cv::Mat& mask) {
+    return ReadMask(Write(name, mask), {2, 1});
+  };
+  const auto pair = [](int type, const cv::Scalar& left, const cv::Scalar& right) {
+    cv::Mat mask(1, 2, type, left);
+    mask.col(1).setTo(right);
+    return mask;
+  };
+  using ::testing::ElementsAre;
+  EXPECT_THAT(use_of("a.png", pair(CV_8UC1, 0, 1)), ElementsAre(0, 1));
+  EXPECT_THAT(use_of("a.png", pair(CV_16UC1, 0, 1)), ElementsAre(0, 1));
+  EXPECT_THAT(use_of("a.png", pair(CV_8UC3, {0, 0, 0}, {1, 0, 0})), ElementsAre(0, 1));
+  // Alpha: alone, beside colors, and opaque everywhere.
+  EXPECT_THAT(use_of("a.png", pair(CV_8UC4, {0, 0, 0, 255}, {0, 0, 0, 0})), ElementsAre(1, 0));
+  EXPECT_THAT(use_of("a.png", pair(CV_8UC4, {9, 9, 9, 255}, {9, 9, 9, 0})), ElementsAre(1, 0));
+  EXPECT_THAT(use_of("a.png", pair(CV_8UC4, {9, 9, 9, 255}, {0, 0, 0, 255})), ElementsAre(1, 0));
+  // JPEG files are not exact.
+  cv::Mat large(16, 32, CV_8UC1, cv::Scalar(3));
+  large.colRange(16, 32).setTo(250);
+  const auto mask = ReadMask(Write("a.jpg", large), {32, 16});
+  EXPECT_EQ(mask[0], 0);
+  EXPECT_EQ(mask[31], 1);
+}
+
+// A picture of 3 x 2 pixels 0 to 5, turned upright by every orientation.
+TEST_F(ImageReader, PicturesAreTurnedOnRequest) {
+  cv::Mat pixels(2, 3, CV_8UC1);
+  for (int i = 0; i < 6; ++i) pixels.at<uchar>(i / 3, i % 3) = static_cast<uchar>(i);
+  const std::string path = Write("a.png", pixels);
+  const std::map<int, std::vector<float>> expected = {
+      {1, {0, 1, 2, 3, 4, 5}}, {2, {2, 1, 0, 5, 4, 3}}, {3, {5, 4, 3, 2, 1, 0}},
+      {4, {3, 4, 5, 0, 1, 2}}, {5, {0, 3, 1, 4, 2, 5}}, {6, {3, 0, 4, 1, 5, 2}},
+      {7, {5, 2, 4, 1, 3, 0}}, {8, {2, 5, 1, 4, 0, 3}}};
+  for (const auto& [orientation, values] : expected) {
+    const Image image = ReadImage(path, -1, {.orientation = orientation});
+    EXPECT_EQ(image.width, orientation < 5 ? 3 : 2);
+    EXPECT_EQ(image.data, values) << orientation;
+  }
+}
+
+TEST_F(ImageReader, OrientationsOfAllFormatsAreFound) {
+  const std::string path = Write("a.jpg", cv::Mat(4, 6, CV_8UC1, cv::Scalar(7)));
+  EXPECT_EQ(ReadTraits(std::filesystem::path(path)).orientation, 1);
+  EXPECT_EQ(ReadTraits(std::filesystem::path(dir_.WriteFile("b.jpg", RotatedJpeg(Content(path)))))
+                .orientation,
+            6);
+}
+
+TEST_F(ImageReader, PartsOfTheRangeAreStretched) {
+  const std::string path = Write("a.png", cv::Mat(2, 2, CV_16UC1, cv::Scalar(2048)));
+  EXPECT_FLOAT_EQ(ReadImage(path, -1, {.range = LevelRange{0, 4096}}).data[0], 127.5f);
+  EXPECT_EQ(RangeToShow({0, 3277}), (LevelRange{0, 3584}));
+  EXPECT_EQ(RangeToShow({7300, 8200}), (LevelRange{7296, 8320}));
+  EXPECT_FALSE(RangeToShow({0, 40000}));
+  EXPECT_FALSE(RangeToShow({100, 110}));
+  cv::Mat noise(100, 200, CV_16UC3);
+  cv::randu(noise, 100, 4000);
+  noise.at<cv::Vec3w>(0, 0) = {65535, 0, 0};  // a hot pixel
+  const PixelScan scan = ScanPixels(std::filesystem::path(Write("b.png", noise)));
+  EXPECT_NEAR(scan.values->low, 100, 3);
+  EXPECT_NEAR(scan.values->high, 4000, 3);
+  EXPECT_FALSE(scan.has_mask);
+}
+
+TEST_F(ImageReader, AlphaIsAMaskIfItHidesSomething) {
+  cv::Mat pixels(1, 4, CV_8UC4, cv::Scalar(1, 2, 3, 255));
+  const auto scan_of = [&] { return ScanPixels(std::filesystem::path(Write("a.png", pixels))); };
+  EXPECT_FALSE(scan_of().has_mask);
+  pixels.at<cv::Vec4b>(0, 1)[3] = 127;
+  pixels.at<cv::Vec4b>(0, 2)[3] = 128;
+  EXPECT_TRUE(scan_of().has_mask);
+  EXPECT_TRUE(ReadTraits(dir_ / "a.png").has_alpha);
+  EXPECT_THAT(ReadAlpha(dir_ / "a.png", -1, {}), ::testing::ElementsAre(1, 0, 1, 1));
+  EXPECT_THAT(ReadAlpha(dir_ / "a.png", -1, {.orientation = 6}),
+              ::testing::ElementsAre(1, 0, 1, 1));
+  for (int x = 0; x < 4; ++x) pixels.at<cv::Vec4b>(0, x)[3] = 0;
+  EXPECT_FALSE(scan_of().has_mask);  // a program that leaves the channel empty
 }
 
 // The same to a level as if it had been decoded whole. A ramp shows where pixels are.
@@ -348,7 +442,7 @@ TEST_F(ImageReader, TruncatedFilesAreRefused) {
     const std::string whole = Content(Write(name, noise));
     const std::string trailing = dir_.WriteFile("trailing", whole + "a maker's note");
     EXPECT_FALSE(IsTruncated(trailing)) << name;
-    for (const size_t size : {whole.size() - 1, whole.size() - 13, whole.size() / 2}) {
+    for (const size_t size : {whole.size() - 13, whole.size() - 20, whole.size() / 2}) {
       const std::string path = dir_.WriteFile("cut", whole.substr(0, size));
       for (const std::string& error :
            {ErrorText<IoError>([&] { ReadImageSize(path); }),

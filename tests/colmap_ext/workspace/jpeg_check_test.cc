@@ -1,5 +1,7 @@
 #include "colmap_ext/workspace/jpeg_check.h"
 
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -51,6 +53,39 @@ TEST_F(JpegCheck, WholeFilesAreFine) {
 TEST_F(JpegCheck, PaddingIsFine) {
   const std::string start = whole_.substr(0, whole_.size() - 2);
   EXPECT_FALSE(Check(start + std::string(100, '\0') + kEnd));
+}
+
+// Some programs leave it out.
+TEST_F(JpegCheck, OnlyTheEndMarkerMayBeMissing) {
+  cv::Mat noise(60, 80, CV_8UC3);
+  cv::RNG(2).fill(noise, cv::RNG::UNIFORM, 0, 255);
+  const std::map<std::string, std::vector<int>> kinds = {
+      {"plain", {}},
+      {"progressive", {cv::IMWRITE_JPEG_PROGRESSIVE, 1}},
+      {"restarts", {cv::IMWRITE_JPEG_RST_INTERVAL, 3}}};
+  for (const auto& [name, parameters] : kinds) {
+    const std::string path = (dir_ / "b.jpg").string();
+    ASSERT_TRUE(cv::imwrite(path, noise, parameters));
+    std::ifstream in(path, std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(in), {}};
+    for (const size_t missing : {1, 2}) {
+      const auto complaint = Check(whole.substr(0, whole.size() - missing));
+      ASSERT_TRUE(complaint) << name;
+      EXPECT_THAT(complaint->text, HasSubstr("lacks the end marker")) << name;
+      EXPECT_FALSE(complaint->is_damage) << name;
+      EXPECT_FALSE(complaint->is_truncated) << name;
+    }
+    for (const size_t size : {whole.size() - 12, whole.size() / 2}) {
+      const auto complaint = Check(whole.substr(0, size));
+      ASSERT_TRUE(complaint) << name;
+      EXPECT_TRUE(complaint->is_truncated) << name << " " << size;
+    }
+  }
+  const std::string path = dir_.WriteFile("c.jpg", whole_.substr(0, whole_.size() - 2));
+  EXPECT_EQ(CheckImage(path, -1).size, (ImageSize{300, 200}));
+  EXPECT_EQ(ReadImage(path).width, 300);
+  EXPECT_THAT(Check(whole_.substr(0, whole_.size() - 2) + std::string(50, '\0'))->text,
+              HasSubstr("lacks the end marker"));
 }
 
 TEST_F(JpegCheck, DamageIsFound) {

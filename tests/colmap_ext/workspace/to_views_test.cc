@@ -510,10 +510,153 @@ TEST_F(ToViewsTest, MasksCutTheRegionAndComeWithTheImage) {
   EXPECT_TRUE(ReadViewImage(set, 0).mask.empty());
 }
 
-TEST_F(ToViewsTest, MasksOfAnotherSizeAndMissingMaskFoldersAreErrors) {
-  Write("masks/c.png.png", cv::Mat(300, 400, CV_8UC1, cv::Scalar(255)));
+TEST_F(ToViewsTest, SmallerMasksAreScaled) {
+  cv::Mat mask(300, 400, CV_8UC1, cv::Scalar(255));
+  mask.colRange(0, 200).setTo(0);
+  Write("masks/c.png", mask);
   options_.mask_path = (dir_ / "masks").string();
-  EXPECT_THAT(ErrorOf(), HasSubstr("the mask is 400 x 300 pixels, its image 800 x 600"));
+  const ViewSet set = Views();
+  EXPECT_THAT(set.notes,
+              ElementsAre(HasSubstr("c.png for c.png"),
+                          HasSubstr("1 masks are of another size than their images (400 x 300 for "
+                                    "800 x 600), and are scaled")));
+  const std::vector<unsigned char> use = ReadViewMask(set, 1);
+  ASSERT_EQ(use.size(), 800u * 600u);
+  EXPECT_EQ(use[399], 0);
+  EXPECT_NE(use[400], 0);
+}
+
+// The names of the model in a code page, those of the files composed or not.
+TEST_F(ToViewsTest, ImagesAreFoundByTheTextOfTheirNames) {
+  fs::rename(dir_ / "c.png", dir_ / "\xE6\x88\xAA.png");
+  model_.images[0].name = "\\xBD\\xD8.png";
+  model_.images[0].name_bytes = "\xBD\xD8.png";
+  fs::rename(dir_ / "b.png", dir_ /
+                                 "fac\xCC\xA7"
+                                 "ade.png");
+  model_.images[2].name =
+      "fa\xC3\xA7"
+      "ade.png";
+  const ViewSet set = Views();
+  EXPECT_EQ(set.files[0].image_path, (dir_ / "\xE6\x88\xAA.png").string());
+  EXPECT_EQ(set.views[0].name, "\\xBD\\xD8.png");
+  EXPECT_EQ(set.files[1].image_path, (dir_ / "fac\xCC\xA7"
+                                             "ade.png")
+                                         .string());
+  EXPECT_THAT(set.notes, ElementsAre(HasSubstr("1 names"), HasSubstr("1 names")));
+  // The same bytes.
+  fs::rename(dir_ / "\xE6\x88\xAA.png", dir_ / "\xBD\xD8.png");
+  EXPECT_EQ(Views().files[0].image_path, (dir_ / "\xBD\xD8.png").string());
+}
+
+TEST_F(ToViewsTest, NamesMayBeginWithTheFolderOfImages) {
+  const std::string folder = dir_.path().filename().string();
+  for (ModelImage& image : model_.images) image.name = folder + "/" + image.name;
+  const ViewSet set = Views();
+  EXPECT_EQ(set.files[0].image_path, (dir_ / "b.png").string());
+  EXPECT_EQ(set.views[0].name, folder + "/b.png");
+  EXPECT_THAT(set.notes, ElementsAre(HasSubstr("3 names of images begin with that of the folder")));
+}
+
+TEST_F(ToViewsTest, AlphaIsAMask) {
+  cv::Mat pixels(600, 800, CV_8UC4, cv::Scalar(10, 20, 30, 255));
+  for (int x = 0; x < 400; ++x) {
+    for (int y = 0; y < 600; ++y) pixels.at<cv::Vec4b>(y, x)[3] = 0;
+  }
+  Write("c.png", pixels);
+  cv::Mat mask(600, 800, CV_8UC1, cv::Scalar(255));
+  mask.rowRange(0, 300).setTo(0);
+  const ViewSet set = Views();
+  EXPECT_THAT(set.notes,
+              ElementsAre(AllOf(HasSubstr("1 images have an alpha channel"), HasSubstr("c.png"))));
+  EXPECT_FALSE(set.views[1].region.Contains({300, 400}));
+  EXPECT_TRUE(set.views[1].region.Contains({500, 200}));
+  // Together with another mask.
+  Write("masks/c.png", mask);
+  options_.mask_path = (dir_ / "masks").string();
+  const std::vector<unsigned char> use = ReadViewMask(Views(), 1);
+  EXPECT_EQ(use[100 * 800 + 600], 0);
+  EXPECT_EQ(use[400 * 800 + 200], 0);
+  EXPECT_NE(use[400 * 800 + 600], 0);
+}
+
+TEST_F(ToViewsTest, PartsOfTheRangeOfSixteenBitsAreStretched) {
+  for (const char* name : {"b.png", "c.png"}) {
+    cv::Mat pixels(600, 800, CV_16UC1);
+    cv::randu(pixels, 0, name[0] == 'b' ? 1000 : 4090);
+    pixels.row(0).setTo(500);
+    Write(name, pixels);
+  }
+  const ViewSet set = Views();
+  EXPECT_THAT(set.notes, ElementsAre(AllOf(HasSubstr("2 images of 16 bits use values from"),
+                                           HasSubstr("of 65535 only"))));
+  // By the range of both.
+  EXPECT_FLOAT_EQ(ReadViewImage(set, 0).data[0], 255 * 500 / 4096.f);
+  EXPECT_EQ(set.files[2].form, ImageForm());
+}
+
+// Of a model of upright pictures.
+TEST_F(ToViewsTest, ExifTurnsPicturesIfTheirCamerasSaySo) {
+  const std::string exif(
+      "\xFF\xE1\x00\x22"
+      "Exif\0\0"
+      "II\x2A\0\x08\0\0\0"
+      "\x01\0"
+      "\x12\x01\x03\0\x01\0\0\0\x06\0\0\0"
+      "\0\0\0\0",
+      36);
+  const auto write_turned = [&](const std::string& name, int width, int height, char orientation) {
+    cv::Mat pixels(height, width, CV_8UC3, cv::Scalar(10, 20, 30 * (name[0] % 7)));
+    pixels.colRange(0, width / 2).setTo(200);
+    std::vector<uchar> jpeg;
+    ASSERT_TRUE(cv::imencode(".jpg", pixels, jpeg));
+    std::string tag = exif;
+    tag[tag.size() - 8] = orientation;
+    const std::string plain(jpeg.begin(), jpeg.end());
+    dir_.WriteFile(name, plain.substr(0, 2) + tag + plain.substr(2));
+  };
+  write_turned("c.png", 600, 800, 6);
+  write_turned("b.png", 800, 600, 3);  // as the other one, though its size does not tell
+  ViewSet set = Views();
+  EXPECT_THAT(set.notes,
+              ElementsAre(AllOf(HasSubstr("2 images are turned"), HasSubstr("b.png, c.png"))));
+  EXPECT_EQ(set.files[1].stored_size, (ImageSize{800, 600}));
+  const Image upright = ReadViewImage(set, 1);
+  EXPECT_EQ(upright.width, 800);
+  EXPECT_NEAR(upright.data[3 * 400], 200, 5);  // the left half is on top
+  EXPECT_LT(upright.data[3 * (599 * 800 + 400) + 2], 100);
+  EXPECT_LT(ReadViewImage(set, 0).data[2], 100);
+  // Without such a picture they stay as they are.
+  write_turned("c.png", 800, 600, 1);
+  set = Views();
+  EXPECT_THAT(set.notes, IsEmpty());
+  EXPECT_EQ(set.files[0].form, ImageForm());
+  WriteImage("c.png", 600, 800);
+  EXPECT_THAT(ErrorOf(), HasSubstr("is one of them turned?"));
+}
+
+TEST_F(ToViewsTest, PointsOfPicturesOfAnotherSizeAreNoMisfits) {
+  GivePoints(20);
+  for (ModelImage& image : model_.images) {
+    for (Observation& observation : image.observations) {
+      observation.position = 1.28 * observation.position + Eigen::Vector2d(0, 128);
+    }
+  }
+  options_.max_reprojection_px = 5;
+  const ViewSet set = Views();
+  EXPECT_THAT(set.warnings, IsEmpty());
+  EXPECT_THAT(set.notes, ElementsAre(HasSubstr("the 2D points of 3 of 3 images are pixels of "
+                                               "pictures of another size")));
+  EXPECT_EQ(set.views.size(), 3u);
+  const PointPixel& pixel = set.hints.points[0].pixels[0];
+  const View& view = set.views[pixel.view];
+  EXPECT_LT((*view.Project(set.hints.points[0].position_in_world) - pixel.position_px).norm(), .1);
+}
+
+TEST_F(ToViewsTest, MasksOfAnotherSizeAndMissingMaskFoldersAreErrors) {
+  Write("masks/c.png.png", cv::Mat(300, 500, CV_8UC1, cv::Scalar(255)));
+  options_.mask_path = (dir_ / "masks").string();
+  EXPECT_THAT(ErrorOf(), HasSubstr("the mask is 500 x 300 pixels, its image 800 x 600"));
   options_.mask_path = (dir_ / "nowhere").string();
   EXPECT_THAT(ErrorOf(), HasSubstr("nowhere: no such folder (mask_path)"));
 }
@@ -554,10 +697,10 @@ TEST_F(ToViewsTest, DuplicatesAreLeftOutWithOneWarning) {
                           "and are left out: b.png (of ./b.png), c.png (of copy.png)"));
 }
 
-TEST_F(ToViewsTest, MasksThatMatchNoImageAreCounted) {
-  Write("masks/c.jpg.png", cv::Mat(600, 800, CV_8UC1, cv::Scalar(255)));
+TEST_F(ToViewsTest, MasksThatMatchNoImageAreAnError) {
+  Write("masks/d.png.png", cv::Mat(600, 800, CV_8UC1, cv::Scalar(255)));
   options_.mask_path = (dir_ / "masks").string();
-  EXPECT_THAT(Views().warnings, ElementsAre(HasSubstr("masks: 3 of 3 images have no mask there")));
+  EXPECT_THAT(ErrorOf(), HasSubstr("masks: has a mask for none of the 3 images"));
   for (const char* name : {"c.png.png", "b.png.png", "sub/a b.png.png"}) {
     Write(std::string("masks/") + name, cv::Mat(600, 800, CV_8UC1, cv::Scalar(255)));
   }
