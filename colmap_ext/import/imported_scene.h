@@ -6,6 +6,7 @@
 
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/model/tracked_points.h"
+#include "colmap_ext/workspace/image_size.h"
 
 namespace limn::colmap_ext {
 
@@ -18,6 +19,8 @@ enum class PixelCenters {
 // An image with its camera, as read.
 struct ImportedImage {
   std::string name;  // relative to the image folder
+  // That of the image file, if it may differ from the camera's; else zero.
+  ImageSize file_size = {};
   // Has no id. The principal point is in the pixels of the format, origin at the top left.
   Camera camera;
   Rigid3d cam_from_world;

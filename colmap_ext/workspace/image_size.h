@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -16,6 +18,13 @@ struct ImageSize {
 // For messages.
 inline std::string Text(ImageSize size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+// Whether an image file may be a resized version of a picture of this size: one aspect, up to a
+// pixel of either.
+inline bool IsResized(ImageSize file, double width, double height) {
+  return std::min(std::abs(file.width * height / width - file.height),
+                  std::abs(file.height * width / height - file.width)) <= 1;
 }
 
 }  // namespace limn::colmap_ext

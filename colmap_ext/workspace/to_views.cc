@@ -35,11 +35,9 @@ constexpr double kDoubtfulCameraPx = 2;
 
 // The file may be a resized version of what the camera describes; anything else is a wrong image.
 void CheckSizeFitsCamera(const std::string& path, ImageSize file, const Camera& camera) {
-  const double width = static_cast<double>(camera.width);
-  const double height = static_cast<double>(camera.height);
-  const double error = std::min(std::abs(file.width * height / width - file.height),
-                                std::abs(file.height * width / height - file.width));
-  if (error <= 1) return;
+  if (IsResized(file, static_cast<double>(camera.width), static_cast<double>(camera.height))) {
+    return;
+  }
   throw IoError(path, "the image is " + std::to_string(file.width) + " x " +
                           std::to_string(file.height) + " pixels, but its camera " +
                           std::to_string(camera.id) + " is " + std::to_string(camera.width) +
@@ -439,7 +437,8 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   options.Check();
   CheckMaskFolder(options.mask_path);
   const SelectedImages used =
-      SelectImages(model, image_dir, options.image_list_path, photos, context);
+      SelectImages(model, image_dir, options.image_list_path, options.skip_missing_images, photos,
+                   context);
   ViewSet set;
   set.warnings = model.warnings;
   set.warnings.insert(set.warnings.end(), used.warnings.begin(), used.warnings.end());
