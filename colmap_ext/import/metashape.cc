@@ -116,6 +116,9 @@ class ChunkReader {
         scene->images.push_back(std::move(*image));
       }
     }
+    if (num_not_aligned == chunk_.cameras.size()) {
+      PlaceOf(*chunk_.element).Fail("no camera is aligned: align the photographs in Metashape");
+    }
     if (num_not_aligned > 0) {
       scene->notes.push_back(std::to_string(num_not_aligned) +
                              " cameras are not aligned and are left out");

@@ -125,6 +125,10 @@ class OpenmvgReader {
     for (const Json& entry : ListMember(file_, "views", {path_, "line", 1})) {
       ReadView(entry, {path_, "view", number++});
     }
+    if (scene_.images.empty() && num_without_pose_ > 0) {
+      FilePlace{path_, "line", 1}.Fail(
+          "none of its views has a pose: it is of before the reconstruction, which has another");
+    }
     if (num_without_pose_ > 0) {
       scene_.notes.push_back(std::to_string(num_without_pose_) +
                              " views have no pose and are left out");

@@ -28,7 +28,7 @@ struct Kind {
 };
 
 constexpr char kMeshroomWay[] =
-    "aliceVision_exportColmap (a node of Meshroom, too) writes a COLMAP model of it";
+    "aliceVision_exportColmap of AliceVision writes a COLMAP model of it";
 constexpr char kMetashapeWay[] =
     "File > Export > Export Cameras, type Agisoft XML, writes a file that model_importer reads";
 constexpr char kRealityCaptureWay[] =
@@ -51,6 +51,7 @@ const std::vector<Kind>& Kinds() {
       {".xml", {"<document", "<chunk"}, "<", "Metashape", kMetashapeType, ""},
       {".csv", {"heading", "pitch", "roll"}, "#", "RealityCapture", kRealityCaptureType, ""},
       {".sfm", {}, "", "Meshroom", "", kMeshroomWay},
+      {".json", {"\"views\"", "\"viewId\""}, "{", "Meshroom", "", kMeshroomWay},
       {".abc", {}, "", "Meshroom", "", kMeshroomWay},
       {".mvs", {}, "MVSI", "OpenMVS", "", "InterfaceCOLMAP of OpenMVS writes a COLMAP model of it"},
       {".mvs", {}, "", "OpenMVS", "", "InterfaceCOLMAP of OpenMVS writes a COLMAP model of it"},

@@ -127,6 +127,16 @@ fs::path ImageFolderIn(const fs::path& folder) {
   return folder / kImageFolders.front();
 }
 
+fs::path ImageFolderOrNone(const fs::path& folder) {
+  const fs::path images = ImageFolderIn(folder);
+  return IsFolder(images) ? images : fs::path();
+}
+
+std::string HowToImportNear(const CameraFile& file) {
+  const fs::path folder = file.path.parent_path();
+  return HowToImport({file}, folder, ImageFolderOrNone(folder));
+}
+
 // Those in the workspace and up to three folders below.
 std::vector<fs::path> ModelsBelow(const ShallowSearch& found) {
   std::vector<fs::path> models;
@@ -167,9 +177,9 @@ std::string WayOut(const fs::path& workspace, const LayoutOptions& options) {
   }
   const std::vector<CameraFile> files = FindCameraFiles(workspace);
   if (!files.empty()) {
-    const fs::path images = options.image_path.empty() ? ImageFolderIn(workspace)
-                                                       : fs::path(options.image_path);
-    return HowToImport(files, workspace, IsFolder(images) ? images : fs::path());
+    return HowToImport(files, workspace, options.image_path.empty()
+                                             ? ImageFolderOrNone(workspace)
+                                             : fs::path(options.image_path));
   }
   std::error_code ignored;
   if (fs::exists(workspace / "database.db", ignored)) {
@@ -314,7 +324,7 @@ Candidate GivenModelFolder(const fs::path& given, int model_index) {
   }
   if (!found.empty()) return MostRegistered(found);
   if (const auto file = RecognizeCameraFile(given)) {
-    throw IoError(given.string(), "not a COLMAP model; " + HowToImport({*file}, given.parent_path(), {}));
+    throw IoError(given.string(), "not a COLMAP model; " + HowToImportNear(*file));
   }
   if (!IsFolder(given)) throw IoError(given.string(), "no such folder");
   throw IoError(given.string(), "no COLMAP model (cameras and images): found " + Listing(given));
@@ -396,7 +406,7 @@ WorkspaceLayout ResolveLayout(const LayoutOptions& options) {
   if (!options.workspace_path.empty() && !IsFolder(options.workspace_path)) {
     const fs::path workspace = options.workspace_path;
     if (const auto file = RecognizeCameraFile(workspace)) {
-      throw IoError(workspace.string(), "not a folder (workspace_path); " + HowToImport({*file}, workspace.parent_path(), {}));
+      throw IoError(workspace.string(), "not a folder (workspace_path); " + HowToImportNear(*file));
     }
     throw IoError(options.workspace_path, "no such folder (workspace_path)");
   }
