@@ -19,8 +19,6 @@ enum class PixelCenters {
 // An image with its camera, as read.
 struct ImportedImage {
   std::string name;  // relative to the image folder
-  // That of the image file, if it may differ from the camera's; else zero.
-  ImageSize file_size = {};
   // Has no id. The principal point is in the pixels of the format, origin at the top left.
   Camera camera;
   Rigid3d cam_from_world;
@@ -30,6 +28,8 @@ struct ImportedImage {
   std::string path;
   const char* unit = "line";
   uint64_t number = 1;
+  // That of the image file, if it may differ from the camera's; else zero.
+  ImageSize file_size = {};
 };
 
 // The content of another program's file, in COLMAP's axes (x right, y down, z forward).

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "colmap_ext/workspace/shallow_search.h"
 #include "limn/util/name_list.h"
@@ -146,8 +147,10 @@ std::vector<CameraFile> FindCameraFiles(const fs::path& folder) {
     if (++num_heads > kMaxHeads) break;
     if (auto camera_file = RecognizeCameraFile(file)) found.push_back(std::move(*camera_file));
   }
-  std::ranges::stable_sort(
-      found, {}, [](const CameraFile& file) { return file.input_type.empty(); });
+  // openMVG has a file without poses beside its matches.
+  std::ranges::stable_sort(found, {}, [](const CameraFile& file) {
+    return std::pair(file.input_type.empty(), file.path.parent_path().filename() == "matches");
+  });
   return found;
 }
 

@@ -98,24 +98,29 @@ bool IsMissing(const std::string& path, const PhotoStore& photos) {
   return !photos.IsInMemory(path) && !fs::is_regular_file(path, ignored);
 }
 
-// Removes the images without a file.
-void LeaveOutMissing(const SparseModel& model, const fs::path& image_dir, const PhotoStore& photos,
+// Removes the images without a file; `paths` are those of all of them.
+void LeaveOutMissing(const SparseModel& model, const std::vector<std::string>& paths,
+                     const fs::path& image_dir, const PhotoStore& photos,
                      SelectedImages* selected) {
-  const size_t num_asked_for = selected->images.size();
+  std::vector<int> found;
   std::vector<std::string> names;
-  std::erase_if(selected->images, [&](int index) {
-    if (!IsMissing(PathsOf(model, {index}, image_dir).front(), photos)) return false;
-    names.push_back(model.images[index].name);
-    return true;
-  });
+  for (size_t i = 0; i < paths.size(); ++i) {
+    const int index = selected->images[i];
+    if (IsMissing(paths[i], photos)) {
+      names.push_back(model.images[index].name);
+    } else {
+      found.push_back(index);
+    }
+  }
   if (names.empty()) return;
-  const std::string count =
-      std::to_string(names.size()) + " of " + std::to_string(num_asked_for) + " images";
-  if (selected->images.empty()) {
-    throw InputError(image_dir.string() + ": none of the " + std::to_string(num_asked_for) +
+  const std::string num_images = std::to_string(paths.size());
+  if (found.empty()) {
+    throw InputError(image_dir.string() + ": none of the " + num_images +
                      " images of the model is there: --image_path names their folder");
   }
-  selected->warnings.push_back(count + " are missing in " + image_dir.string() +
+  selected->images = std::move(found);
+  selected->warnings.push_back(std::to_string(names.size()) + " of " + num_images +
+                               " images are missing in " + image_dir.string() +
                                " and are left out (skip_missing_images): " + ListNames(names));
 }
 
@@ -165,7 +170,10 @@ SelectedImages SelectImages(const SparseModel& model, const fs::path& image_dir,
   const std::vector<int> listed = ListedImages(model, image_list_path);
   SelectedImages selected = {SceneReach(model, listed), listed, {}, {}};
   LeaveOutFar(model, &selected);
-  if (skip_missing) LeaveOutMissing(model, image_dir, photos, &selected);
+  if (skip_missing) {
+    LeaveOutMissing(model, PathsOf(model, selected.images, image_dir), image_dir, photos,
+                    &selected);
+  }
   CheckImagesExist(PathsOf(model, selected.images, image_dir), image_dir, photos);
   LeaveOutDuplicates(model, image_dir, photos, context, &selected);
   selected.paths = PathsOf(model, selected.images, image_dir);

@@ -324,7 +324,7 @@ def damage(path, chooser):
     elif kind == 'empty':
         content.clear()
     elif kind == 'doubled':
-        content += content
+        content = content * 2
     elif kind == 'bytes':
         for _ in range(chooser.choice([1, 3, 30])):
             content[chooser.randrange(len(content))] = chooser.randrange(256)

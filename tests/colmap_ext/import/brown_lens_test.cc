@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/temp_dir.h"
+
 namespace limn::colmap_ext {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/temp_dir.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
