@@ -8,7 +8,7 @@
 namespace limn::colmap_ext {
 namespace {
 
-constexpr double kMaxLensErrorPx = 1e-3;
+constexpr double kMaxLensErrorPx = 0.01;
 
 void Append(CameraModelId model, const std::vector<double>& extra, Camera* camera) {
   camera->model = model;

@@ -17,7 +17,7 @@ struct BrownLens {
 };
 
 // Gives a PINHOLE camera this lens: it stays PINHOLE, or becomes OPENCV or FULL_OPENCV. The latter
-// has no k[3]: it is fitted with one within 0.001 px, or the lens is refused via `place`.
+// has no k[3]: it is fitted with one within 0.01 px, or the lens is refused via `place`.
 void SetBrownLens(const BrownLens& lens, const FilePlace& place, Camera* camera);
 
 // A PINHOLE camera of a fisheye lens, whose positions are over the focal length, too, but of length

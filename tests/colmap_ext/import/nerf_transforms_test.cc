@@ -160,7 +160,7 @@ TEST_F(NerfTransforms, BadFilesAreRefused) {
   EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}}),
               HasSubstr("transform_matrix must be 4 x 4"));
   EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1}}),
-              HasSubstr("transform_matrix must be 4 x 4"));
+              HasSubstr("\"transform_matrix\" is not a list of 4 numbers"));
   EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}}),
               HasSubstr("the rotation matrix is none"));
   EXPECT_THAT(

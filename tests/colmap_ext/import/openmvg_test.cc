@@ -117,13 +117,13 @@ TEST_F(Openmvg, KeepsPointsAndMeasurements) {
   SparseModel centered = CenteredModel();
   for (ModelPoint& point : centered.points) point.color = {};
   const std::vector<double>& p = centered.cameras[0].params;
-  ExpectSamePoints(Import(kOpenmvgFormat, Write(FileOf(centered, IntrinsicOf("pinhole", p, {})))),
+  ExpectSamePoints(Import(kOpenmvgFormat, Write(FileOf(centered, IntrinsicOf("pinhole", p, Json::object())))),
                    centered);
 }
 
 TEST_F(Openmvg, ViewsWithoutPoseAreLeftOut) {
   const SparseModel known = KnownModel();
-  Json file = FileOf(known, IntrinsicOf("pinhole", {600, 320, 240}, {}));
+  Json file = FileOf(known, IntrinsicOf("pinhole", {600, 320, 240}, Json::object()));
   file["extrinsics"].erase(1);
   EXPECT_EQ(Import(kOpenmvgFormat, Write(file)).images.size(), 2u);
   EXPECT_THAT(notes_, Contains("1 views have no pose and are left out"));
@@ -131,7 +131,7 @@ TEST_F(Openmvg, ViewsWithoutPoseAreLeftOut) {
 
 TEST_F(Openmvg, BadFilesAreRefused) {
   const SparseModel centered = CenteredModel();
-  const Json good = FileOf(centered, IntrinsicOf("pinhole", centered.cameras[0].params, {}));
+  const Json good = FileOf(centered, IntrinsicOf("pinhole", centered.cameras[0].params, Json::object()));
   const auto error_at = [&](const char* pointer, const Json& value) {
     Json file = good;
     file[Json::json_pointer(pointer)] = value;

@@ -103,8 +103,8 @@ TEST_F(Opensfm, PointsNeedTheTracks) {
     for (const TrackElement& element : point.track) {
       const ModelImage& image = centered.images[element.image_id - 1];
       const Eigen::Vector2d px = image.observations[element.observation].position;
-      tracks += image.name + "\t" + id + "\t5\t" + Text((px.x() - 320) / 640) + "\t" +
-                Text((px.y() - 240) / 640) + "\t0.01\t1\t2\t3\r\n";
+      tracks += image.name + "\t" + id + "\t5\t" + Json((px.x() - 320) / 640).dump() + "\t" +
+                Json((px.y() - 240) / 640).dump() + "\t0.01\t1\t2\t3\r\n";
     }
     tracks += "other.png\t" + id + "\t5\t0\t0\t0.01\t1\t2\t3\n";
   }
