@@ -36,9 +36,9 @@ class ImageFolder {
   //   file name     (without folders, either slash) in the image folder
   //   the same      with any extension of an image, where it has none, in the image folder
   //   file name     in the folders below, with any extension where it has none
-  // Throws IoError via `place` if there is none, or if several fit in the last two ways, and IoError
-  // if its size cannot be read. Returns
-  // nothing, and records the name, if it is missing and missing images are skipped.
+  // Throws IoError via `place` if there is none, or if several fit in the last two ways, and
+  // IoError if its size cannot be read. Returns nothing, and records the name, if it is missing and
+  // missing images are skipped.
   std::optional<FoundImage> Find(const std::string& name, const std::filesystem::path& base,
                                  const FilePlace& place);
 

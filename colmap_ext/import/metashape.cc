@@ -126,9 +126,10 @@ class ChunkReader {
     if (dropped_skew_px_ > 0) {
       std::ostringstream skew;
       skew << dropped_skew_px_;
-      scene->notes.push_back("No camera of COLMAP has skewed pixels: b2 is dropped, which moves "
-                             "pixels by up to " +
-                             skew.str() + " px");
+      scene->notes.push_back(
+          "No camera of COLMAP has skewed pixels: b2 is dropped, which moves "
+          "pixels by up to " +
+          skew.str() + " px");
     }
   }
 
@@ -162,8 +163,8 @@ class ChunkReader {
       if (!found || child.Attribute("class") == "adjusted") found = &child;
     }
     if (!found) {
-      PlaceOf(camera).Fail("sensor \"" + sensor.Attribute("id") +
-                           "\" of camera \"" + camera.Attribute("label") +
+      PlaceOf(camera).Fail("sensor \"" + sensor.Attribute("id") + "\" of camera \"" +
+                           camera.Attribute("label") +
                            "\" has no <calibration>: align the photographs in Metashape first");
     }
     return *found;
@@ -182,8 +183,7 @@ class ChunkReader {
       place.Fail("P3 and P4 are in none of COLMAP's cameras: export undistorted images");
     }
     const double f = value("f");
-    camera->params = {f + value("b1"), f,
-                      0.5 * static_cast<double>(camera->width) + value("cx"),
+    camera->params = {f + value("b1"), f, 0.5 * static_cast<double>(camera->width) + value("cx"),
                       0.5 * static_cast<double>(camera->height) + value("cy")};
     DropSkew(value("b2"), place, *camera);
     const BrownLens lens = {
@@ -212,7 +212,8 @@ class ChunkReader {
 
   std::optional<ImportedImage> ReadCamera(const XmlElement& camera) {
     const FilePlace place = PlaceOf(camera);
-    const auto found = images_.Find(camera.Attribute("label"), fs::path(path_).parent_path(), place);
+    const auto found =
+        images_.Find(camera.Attribute("label"), fs::path(path_).parent_path(), place);
     if (!found) return std::nullopt;
     const auto sensor = sensors_.find(camera.Attribute("sensor_id"));
     if (sensor == sensors_.end()) {

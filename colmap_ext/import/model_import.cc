@@ -77,9 +77,10 @@ void ImporterOptions::AddOptions(OptionParser* parser) {
                     "images share a camera if that moves no pixel by more, pixels");
   parser->AddOption("skip_missing_images", &skip_missing_images,
                     BasicOption("leave out cameras without an image"));
-  parser->AddOption("model_index", &model_index,
-                    "which model of an nvm file, reconstruction of opensfm or chunk of metashape; -1 = the "
-                    "one with the most images");
+  parser->AddOption(
+      "model_index", &model_index,
+      "which model of an nvm file, reconstruction of opensfm or chunk of metashape; -1 = the "
+      "one with the most images");
 }
 
 void ImporterOptions::Check() const {

@@ -77,9 +77,8 @@ void SetCamera(const Entries& entries, const FoundImage& found, ImportedImage* i
   camera.params = {*fx, fy.value_or(*fx), entries.NumberOr("cx", 0.5 * width),
                    entries.NumberOr("cy", 0.5 * height)};
   const auto extra = [&](const char* key) { return entries.NumberOr(key, 0); };
-  const BrownLens lens = {{extra("k1"), extra("k2"), extra("k3"), extra("k4")},
-                          extra("p1"),
-                          extra("p2")};
+  const BrownLens lens = {
+      {extra("k1"), extra("k2"), extra("k3"), extra("k4")}, extra("p1"), extra("p2")};
   if (IsFisheye(entries)) {
     if (lens.p1 != 0 || lens.p2 != 0) {
       entries.place().Fail("a fisheye camera with p1 or p2: OPENCV_FISHEYE has none");

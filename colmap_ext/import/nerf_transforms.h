@@ -11,7 +11,8 @@ namespace limn::colmap_ext {
 // and cy (default: the center of the image); w and h; k1 k2 k3 k4 p1 p2; camera_model, is_fisheye.
 //
 // Cameras become PINHOLE without distortion, OPENCV with it, FULL_OPENCV if k3 or k4 is given,
-// OPENCV_FISHEYE if the file says so (brown_lens.h). Points in other files (ply_file_path) are not read.
+// OPENCV_FISHEYE if the file says so (brown_lens.h). Points in other files (ply_file_path) are not
+// read.
 //
 // Pixel centers: half; these tools copy cx and cy from COLMAP.
 

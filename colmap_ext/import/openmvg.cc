@@ -47,8 +47,7 @@ OpenmvgCameras ReadOpenmvgCameras(const Json& file, const std::string& path) {
       name_of_type[type] = TextMember(value, "polymorphic_name", place);
     }
     if (!name_of_type.contains(type)) place.Fail("no camera before it has its \"polymorphic_id\"");
-    intrinsics[IndexMember(entry, "key", place)] = {name_of_type[type],
-                                                    &PointedTo(value, place)};
+    intrinsics[IndexMember(entry, "key", place)] = {name_of_type[type], &PointedTo(value, place)};
   }
   return intrinsics;
 }
@@ -152,8 +151,8 @@ class OpenmvgReader {
       ++num_without_pose_;
       return;
     }
-    const fs::path local = FindMember(data, "local_path") ? TextMember(data, "local_path", place)
-                                                          : std::string();
+    const fs::path local =
+        FindMember(data, "local_path") ? TextMember(data, "local_path", place) : std::string();
     const auto found =
         images_.Find((local / TextMember(data, "filename", place)).generic_string(), Base(), place);
     if (!found) return;
@@ -196,8 +195,8 @@ class OpenmvgReader {
     const std::vector<double> pixel =
         NumbersMember(ObjectMember(observation, "value", place), "x", 2, place);
     std::vector<Observation>& observations = scene_.images[found->second].observations;
-    point->track.push_back({static_cast<uint32_t>(found->second + 1),
-                            static_cast<uint32_t>(observations.size())});
+    point->track.push_back(
+        {static_cast<uint32_t>(found->second + 1), static_cast<uint32_t>(observations.size())});
     observations.push_back({{pixel[0], pixel[1]}, point->id});
   }
 

@@ -130,7 +130,7 @@ std::optional<ImportedImage> ReadShot(const std::string& name, const Json& shot,
 }
 
 void ReadOpensfmPoints(const Json& reconstruction, const std::map<std::string, int>& image_of_shot,
-                const std::string& path, ImportedScene* scene) {
+                       const std::string& path, ImportedScene* scene) {
   const FilePlace start{path, "line", 1};
   const Json* points = FindMember(reconstruction, "points");
   if (!points || points->empty()) return;
@@ -138,8 +138,9 @@ void ReadOpensfmPoints(const Json& reconstruction, const std::map<std::string, i
   const fs::path tracks = fs::path(path).parent_path() / "tracks.csv";
   std::error_code ignored;
   if (!fs::is_regular_file(tracks, ignored)) {
-    scene->notes.push_back("Its points are left out: tracks.csv, which tells their images, is "
-                           "not beside the file");
+    scene->notes.push_back(
+        "Its points are left out: tracks.csv, which tells their images, is "
+        "not beside the file");
     return;
   }
   std::map<std::string, size_t> index_of_track;
@@ -171,9 +172,8 @@ ImportedScene ReadOpensfm(const ImportInput& input) {
   const Json& chosen = ChooseReconstruction(file, input.model_index, start);
   const Json& cameras = ObjectMember(chosen, "cameras", start);
   ImportedScene scene;
-  scene.notes = {"Read " + path + ", reconstruction " +
-                 std::to_string(&chosen - &file.front()) + " of " + std::to_string(file.size()) +
-                 " (counted from 0)"};
+  scene.notes = {"Read " + path + ", reconstruction " + std::to_string(&chosen - &file.front()) +
+                 " of " + std::to_string(file.size()) + " (counted from 0)"};
   std::map<std::string, int> image_of_shot;
   uint64_t number = 0;
   for (const auto& [name, shot] : chosen.at("shots").items()) {

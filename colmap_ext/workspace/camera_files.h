@@ -33,7 +33,8 @@ std::optional<CameraFile> RecognizeCameraFile(const std::filesystem::path& file)
 bool HoldsCameraFile(const std::filesystem::path& path, const std::string& input_type);
 
 // Those in a folder and up to three below: that can be read before others, then near ones before
-// deep ones, then by name. Of .json and the like, at most 1,000 are looked into. Links to folders are not followed, and at most 20,000 entries are seen.
+// deep ones, then by name. Of .json and the like, at most 1,000 are looked into. Links to folders
+// are not followed, and at most 20,000 entries are seen.
 std::vector<CameraFile> FindCameraFiles(const std::filesystem::path& folder);
 
 // A path as a word of a command line, in quotes where it needs some.

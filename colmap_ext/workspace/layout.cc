@@ -118,7 +118,8 @@ void CheckForIncompleteModels(const fs::path& workspace) {
 constexpr char kInputFolder[] = "input";
 constexpr std::array kImageFolders = {"images", kInputFolder, "images_2", "images_4", "images_8"};
 
-// The first that exists; `images` if none does. With `distorted`, `input` belongs to the model there.
+// The first that exists; `images` if none does. With `distorted`, `input` belongs to the model
+// there.
 fs::path ImageFolderIn(const fs::path& folder) {
   for (const std::string_view name : kImageFolders) {
     if (name == kInputFolder && IsFolder(folder / "distorted")) continue;
@@ -149,7 +150,8 @@ fs::path FolderWithImagesOf(const fs::path& model, const ShallowSearch& found) {
   std::string name;
   try {
     const SparseModel read = ReadModel(model);
-    if (!read.images.empty()) name = read.images[0].file.empty() ? read.images[0].name : read.images[0].file;
+    if (!read.images.empty())
+      name = read.images[0].file.empty() ? read.images[0].name : read.images[0].file;
   } catch (const std::exception&) {
     return {};  // what is wrong with it is told when it is used
   }
@@ -169,17 +171,16 @@ std::string WayOut(const fs::path& workspace, const LayoutOptions& options) {
   if (!models.empty()) {
     const fs::path images = options.image_path.empty() ? FolderWithImagesOf(models[0], found)
                                                        : fs::path(options.image_path);
-    const std::string model = "there is a model in " + models[0].string() + ": --input_path " +
-                              ShellWord(models[0]);
-    return images.empty()
-               ? model + " --image_path <folder of its photographs> uses it"
-               : model + " --image_path " + ShellWord(images) + " uses it";
+    const std::string model =
+        "there is a model in " + models[0].string() + ": --input_path " + ShellWord(models[0]);
+    return images.empty() ? model + " --image_path <folder of its photographs> uses it"
+                          : model + " --image_path " + ShellWord(images) + " uses it";
   }
   const std::vector<CameraFile> files = FindCameraFiles(workspace);
   if (!files.empty()) {
-    return HowToImport(files, workspace, options.image_path.empty()
-                                             ? ImageFolderOrNone(workspace)
-                                             : fs::path(options.image_path));
+    return HowToImport(
+        files, workspace,
+        options.image_path.empty() ? ImageFolderOrNone(workspace) : fs::path(options.image_path));
   }
   std::error_code ignored;
   if (fs::exists(workspace / "database.db", ignored)) {

@@ -26,8 +26,9 @@ struct SelectedImages {
 
 // Those in the list, or all without one. Images far outside the scene of the others (SceneReach)
 // and duplicates (FindDuplicateImages) are left out with warnings; of duplicates, the one with the
-// most 2D points stays. With `skip_missing`, so are images whose file does not exist. Throws IoError
-// if a name in the list is not registered or a file is missing, InputError if no image is left.
+// most 2D points stays. With `skip_missing`, so are images whose file does not exist. Throws
+// IoError if a name in the list is not registered or a file is missing, InputError if no image is
+// left.
 SelectedImages SelectImages(const SparseModel& model, const std::filesystem::path& image_dir,
                             const std::string& image_list_path, bool skip_missing,
                             const PhotoStore& photos, const RunContext& context);

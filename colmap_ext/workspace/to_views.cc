@@ -436,9 +436,8 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
                 const RunContext& context, const PhotoStore& photos) {
   options.Check();
   CheckMaskFolder(options.mask_path);
-  const SelectedImages used =
-      SelectImages(model, image_dir, options.image_list_path, options.skip_missing_images, photos,
-                   context);
+  const SelectedImages used = SelectImages(model, image_dir, options.image_list_path,
+                                           options.skip_missing_images, photos, context);
   ViewSet set;
   set.warnings = model.warnings;
   set.warnings.insert(set.warnings.end(), used.warnings.begin(), used.warnings.end());

@@ -17,8 +17,8 @@ namespace {
 std::string CommonKey(SketchMode mode, const SketchInput& input, const SketchOptions& options) {
   return std::string(SketchModeName(mode)) + " sketch, version " + std::to_string(kSketchVersion) +
          "\n" + OptionsAsText(options.view_selection) +
-         OptionsAsText(ForScene(options, input.scene.views)) + "box " +
-         BoxKey(input.scene.box) + "\nview ";
+         OptionsAsText(ForScene(options, input.scene.views)) + "box " + BoxKey(input.scene.box) +
+         "\nview ";
 }
 
 std::string PlanKey(const SketchIdentity& identity, ViewId view, const ViewPlan& plan,

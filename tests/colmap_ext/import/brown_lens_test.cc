@@ -29,8 +29,7 @@ TEST(BrownLens, TakesTheSimplestCameraThatHasIt) {
   EXPECT_THAT(opencv.params, ElementsAre(3000, 3010, 2010, 1490, 0.1, 0, 0, 0.01));
   const Camera full = WithLens({{0.1, 0.2, 0.3, 0}, 0.01, 0.02});
   EXPECT_EQ(full.model, CameraModelId::kFullOpencv);
-  EXPECT_THAT(full.params,
-              ElementsAre(3000, 3010, 2010, 1490, 0.1, 0.2, 0.01, 0.02, 0.3, 0, 0, 0));
+  EXPECT_THAT(full.params, ElementsAre(3000, 3010, 2010, 1490, 0.1, 0.2, 0.01, 0.02, 0.3, 0, 0, 0));
 }
 
 TEST(BrownLens, FourthTermIsFitted) {
@@ -43,8 +42,7 @@ TEST(BrownLens, FourthTermIsFitted) {
   EXPECT_EQ(p[7], lens.p2);
   for (double r = 0.05; r < 0.84; r += 0.05) {  // the corner is at 0.84
     const double u = r * r;
-    const double expected =
-        1 + u * (lens.k[0] + u * (lens.k[1] + u * (lens.k[2] + u * lens.k[3])));
+    const double expected = 1 + u * (lens.k[0] + u * (lens.k[1] + u * (lens.k[2] + u * lens.k[3])));
     const double fitted =
         (1 + u * (p[4] + u * (p[5] + u * p[8]))) / (1 + u * (p[9] + u * (p[10] + u * p[11])));
     EXPECT_NEAR(3010 * r * fitted, 3010 * r * expected, 0.01) << r;

@@ -22,10 +22,10 @@ std::string PinholeTags() {
 
 std::string SensorWith(const std::string& type, const std::string& calibration) {
   const std::string size = "<resolution width=\"640\" height=\"480\"/>";
-  return "<sensors><sensor id=\"5\" type=\"" + type + "\">" + size +
-         "<calibration type=\"" + type + "\" class=\"initial\">" + size + Tag("f", "1") +
-         "</calibration><calibration type=\"" + type + "\" class=\"adjusted\">" + size +
-         calibration + "</calibration></sensor></sensors>\n";
+  return "<sensors><sensor id=\"5\" type=\"" + type + "\">" + size + "<calibration type=\"" + type +
+         "\" class=\"initial\">" + size + Tag("f", "1") + "</calibration><calibration type=\"" +
+         type + "\" class=\"adjusted\">" + size + calibration +
+         "</calibration></sensor></sensors>\n";
 }
 
 // Some labels with extension, some without; one in a group.
@@ -103,8 +103,7 @@ TEST_F(Metashape, TransformsOfComponentOrChunkLeadToTheWorld) {
   const std::string transform =
       Tag("transform", "<rotation locked=\"true\">" + Text(Eigen::MatrixXd(world.rotation)) +
                            "</rotation>" + Tag("translation", "40 -30 20") + Tag("scale", "2.5"));
-  const std::string chunk =
-      SensorWith("frame", PinholeTags()) + CamerasOf(known_, world);
+  const std::string chunk = SensorWith("frame", PinholeTags()) + CamerasOf(known_, world);
   for (const std::string& more :
        {transform, transform + "<components><component id=\"3\"/></components>",
         "<components><component id=\"8\">" + transform + "</component></components>" +
@@ -118,9 +117,9 @@ TEST_F(Metashape, OfSeveralChunksTheLargestIsRead) {
   const std::string full = SensorWith("frame", PinholeTags()) + CamerasOf(known_, {});
   SparseModel few = known_;
   few.images.resize(1);
-  const std::string path = dir_.WriteFile(
-      "cameras.xml", DocumentOf(SensorWith("frame", PinholeTags()) + CamerasOf(few, {}) +
-                                "</chunk>\n<chunk>" + full));
+  const std::string path =
+      dir_.WriteFile("cameras.xml", DocumentOf(SensorWith("frame", PinholeTags()) +
+                                               CamerasOf(few, {}) + "</chunk>\n<chunk>" + full));
   EXPECT_EQ(Import(kMetashapeFormat, path).images.size(), 3u);
   EXPECT_THAT(notes_, Contains(HasSubstr("chunk 1 of 2 (counted from 0)")));
   Arguments arguments;
@@ -129,8 +128,7 @@ TEST_F(Metashape, OfSeveralChunksTheLargestIsRead) {
 }
 
 TEST_F(Metashape, LittleSkewIsDropped) {
-  ExpectSameProjections(Import(kMetashapeFormat, Write(PinholeTags() + Tag("b2", "-0.3"))),
-                        known_);
+  ExpectSameProjections(Import(kMetashapeFormat, Write(PinholeTags() + Tag("b2", "-0.3"))), known_);
   EXPECT_THAT(notes_, Contains(HasSubstr("b2 is dropped, which moves pixels by up to 0.117")));
   EXPECT_THAT(ErrorWith(PinholeTags() + Tag("b2", "3")), HasSubstr("b2 skews the pixels by 1.1"));
 }

@@ -39,13 +39,16 @@ Json FileOf(const SparseModel& model, const Json& intrinsic) {
   for (const ModelImage& image : model.images) {
     const Eigen::Matrix3d r = image.cam_from_world.rotation.toRotationMatrix();
     const Eigen::Vector3d c = Inverse(image.cam_from_world).translation;
-    const Json view = {{"local_path", ""},    {"filename", image.name},
-                       {"width", 640},        {"height", 480},
-                       {"id_view", image.id}, {"id_intrinsic", image.id == 2 ? 7 : 0},
+    const Json view = {{"local_path", ""},
+                       {"filename", image.name},
+                       {"width", 640},
+                       {"height", 480},
+                       {"id_view", image.id},
+                       {"id_intrinsic", image.id == 2 ? 7 : 0},
                        {"id_pose", 100 + image.id}};
-    file["views"].push_back({{"key", image.id},
-                             {"value",
-                              {{"polymorphic_id", 1073741824}, {"ptr_wrapper", Behind(view)}}}});
+    file["views"].push_back(
+        {{"key", image.id},
+         {"value", {{"polymorphic_id", 1073741824}, {"ptr_wrapper", Behind(view)}}}});
     file["extrinsics"].push_back({{"key", 100 + image.id},
                                   {"value",
                                    {{"rotation",
@@ -103,12 +106,11 @@ TEST_F(Openmvg, GivesTheSameProjections) {
   expect(CameraModelId::kSimplePinhole, {600, 316.75, 251.125}, "pinhole", Json::object());
   expect(CameraModelId::kSimpleRadial, {600, 316.75, 251.125, -0.1}, "pinhole_radial_k1",
          {{"disto_k1", {-0.1}}});
+  expect(CameraModelId::kFullOpencv, {600, 600, 316.75, 251.125, -0.1, 0.05, 0, 0, 0.01, 0, 0, 0},
+         "pinhole_radial_k3", {{"disto_k3", {-0.1, 0.05, 0.01}}});
   expect(CameraModelId::kFullOpencv,
-         {600, 600, 316.75, 251.125, -0.1, 0.05, 0, 0, 0.01, 0, 0, 0}, "pinhole_radial_k3",
-         {{"disto_k3", {-0.1, 0.05, 0.01}}});
-  expect(CameraModelId::kFullOpencv,
-         {600, 600, 316.75, 251.125, -0.1, 0.05, 0.001, -0.002, 0.01, 0, 0, 0},
-         "pinhole_brown_t2", {{"disto_t2", {-0.1, 0.05, 0.01, 0.001, -0.002}}});
+         {600, 600, 316.75, 251.125, -0.1, 0.05, 0.001, -0.002, 0.01, 0, 0, 0}, "pinhole_brown_t2",
+         {{"disto_t2", {-0.1, 0.05, 0.01, 0.001, -0.002}}});
   expect(CameraModelId::kOpencvFisheye, {600, 600, 316.75, 251.125, -0.02, 0.005, -0.003, 0.0005},
          "fisheye", {{"fisheye", {-0.02, 0.005, -0.003, 0.0005}}});
 }
@@ -117,8 +119,9 @@ TEST_F(Openmvg, KeepsPointsAndMeasurements) {
   SparseModel centered = CenteredModel();
   for (ModelPoint& point : centered.points) point.color = {};
   const std::vector<double>& p = centered.cameras[0].params;
-  ExpectSamePoints(Import(kOpenmvgFormat, Write(FileOf(centered, IntrinsicOf("pinhole", p, Json::object())))),
-                   centered);
+  ExpectSamePoints(
+      Import(kOpenmvgFormat, Write(FileOf(centered, IntrinsicOf("pinhole", p, Json::object())))),
+      centered);
 }
 
 TEST_F(Openmvg, ViewsWithoutPoseAreLeftOut) {
@@ -131,7 +134,8 @@ TEST_F(Openmvg, ViewsWithoutPoseAreLeftOut) {
 
 TEST_F(Openmvg, BadFilesAreRefused) {
   const SparseModel centered = CenteredModel();
-  const Json good = FileOf(centered, IntrinsicOf("pinhole", centered.cameras[0].params, Json::object()));
+  const Json good =
+      FileOf(centered, IntrinsicOf("pinhole", centered.cameras[0].params, Json::object()));
   const auto error_at = [&](const char* pointer, const Json& value) {
     Json file = good;
     file[Json::json_pointer(pointer)] = value;
@@ -145,7 +149,8 @@ TEST_F(Openmvg, BadFilesAreRefused) {
   EXPECT_THAT(error_at("/views/1/value/ptr_wrapper/data/filename", "none.png"),
               HasSubstr("image \"none.png\" is not in the image folder"));
   EXPECT_THAT(error_at("/extrinsics/2/value/rotation/0/0", 9), HasSubstr("pose 2: the rotation"));
-  EXPECT_THAT(error_at("/extrinsics/2/value/rotation", {1}), HasSubstr("\"rotation\" is not 3 x 3"));
+  EXPECT_THAT(error_at("/extrinsics/2/value/rotation", {1}),
+              HasSubstr("\"rotation\" is not 3 x 3"));
   EXPECT_THAT(error_at("/intrinsics/0/value/polymorphic_name", "spherical"),
               HasSubstr("view 0: cameras of type \"spherical\" are not read"));
   EXPECT_THAT(error_at("/intrinsics/0/value/polymorphic_name", nullptr),

@@ -30,9 +30,8 @@ Json ShotsOf(const SparseModel& model) {
 // Relative to the longer side of 640 px.
 Json BrownOf(const SparseModel& model) {
   const std::vector<double>& p = model.cameras[0].params;
-  return {{"projection_type", "brown"},  {"width", 640},
-          {"height", 480},               {"focal_x", p[0] / 640},
-          {"focal_y", p[1] / 640},       {"c_x", (p[2] - 320) / 640},
+  return {{"projection_type", "brown"}, {"width", 640},          {"height", 480},
+          {"focal_x", p[0] / 640},      {"focal_y", p[1] / 640}, {"c_x", (p[2] - 320) / 640},
           {"c_y", (p[3] - 240) / 640}};
 }
 
@@ -80,14 +79,13 @@ TEST_F(Opensfm, LensesBecomeColmaps) {
           {"k4", 0.0005}});
   const SparseModel centered = CenteredModel(-0.1, 0.05);
   const double focal = centered.cameras[0].params[0] / 640;
-  const SparseModel model =
-      Import(kOpensfmFormat, Write({{"projection_type", "perspective"},
-                             {"width", 640},
-                             {"height", 480},
-                             {"focal", focal},
-                             {"k1", -0.1},
-                             {"k2", 0.05}},
-                            ShotsOf(centered)));
+  const SparseModel model = Import(kOpensfmFormat, Write({{"projection_type", "perspective"},
+                                                          {"width", 640},
+                                                          {"height", 480},
+                                                          {"focal", focal},
+                                                          {"k1", -0.1},
+                                                          {"k2", 0.05}},
+                                                         ShotsOf(centered)));
   ExpectSameProjections(model, centered);
   EXPECT_EQ(model.cameras[0].model, CameraModelId::kRadial);
 }
@@ -127,17 +125,18 @@ TEST_F(Opensfm, OfSeveralTheLargestIsRead) {
   Json few = ShotsOf(known_);
   few.erase("img_2.png");
   const Json cameras = {{"c", BrownOf(known_)}};
-  const std::string path = dir_.WriteFile(
-      "reconstruction.json", Json{{{"cameras", cameras}, {"shots", few}},
-                                  {{"cameras", cameras}, {"shots", ShotsOf(known_)}}}
-                                 .dump());
+  const std::string path =
+      dir_.WriteFile("reconstruction.json", Json{{{"cameras", cameras}, {"shots", few}},
+                                                 {{"cameras", cameras}, {"shots", ShotsOf(known_)}}}
+                                                .dump());
   EXPECT_EQ(Import(kOpensfmFormat, path).images.size(), 3u);
   EXPECT_THAT(notes_, Contains(HasSubstr("reconstruction 1 of 2 (counted from 0)")));
   Arguments arguments;
   arguments.model_index = 0;
   EXPECT_EQ(Import(kOpensfmFormat, path, arguments).images.size(), 2u);
   arguments.model_index = 2;
-  EXPECT_THAT(Error(kOpensfmFormat, path, arguments), HasSubstr("there are only 2 reconstructions"));
+  EXPECT_THAT(Error(kOpensfmFormat, path, arguments),
+              HasSubstr("there are only 2 reconstructions"));
 }
 
 TEST_F(Opensfm, BadFilesAreRefused) {

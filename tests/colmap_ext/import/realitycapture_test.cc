@@ -21,10 +21,9 @@ std::string PoseWords(const Rigid3d& cam_from_world) {
   const Eigen::Matrix3d m =
       world_from_cam.rotation.toRotationMatrix() * Eigen::DiagonalMatrix<double, 3>(1, -1, -1);
   std::string words;
-  for (const double number :
-       {world_from_cam.translation.x(), world_from_cam.translation.y(),
-        world_from_cam.translation.z(), std::atan2(m(0, 1), m(1, 1)) / kDeg,
-        std::asin(m(2, 1)) / kDeg, std::atan2(-m(2, 0), m(2, 2)) / kDeg}) {
+  for (const double number : {world_from_cam.translation.x(), world_from_cam.translation.y(),
+                              world_from_cam.translation.z(), std::atan2(m(0, 1), m(1, 1)) / kDeg,
+                              std::asin(m(2, 1)) / kDeg, std::atan2(-m(2, 0), m(2, 2)) / kDeg}) {
     words += "," + Text(number);
   }
   return words;
@@ -69,9 +68,9 @@ TEST_F(RealityCapture, GivesTheSameProjections) {
 // Straight down, the upper side to the north.
 TEST_F(RealityCapture, WithoutAnglesCamerasLookDown) {
   const auto project = [&](const std::string& angles, const Eigen::Vector3d& point) {
-    const SparseModel model = Import(
-        kRealityCaptureFormat, Write("#name,x,y,alt,heading,pitch,roll,f\nimg_1.png,0,0,10," +
-                                     angles + ",36\n"));
+    const SparseModel model =
+        Import(kRealityCaptureFormat,
+               Write("#name,x,y,alt,heading,pitch,roll,f\nimg_1.png,0,0,10," + angles + ",36\n"));
     const Eigen::Vector2d px = Project(model, model.images[0], point);
     return Eigen::Vector2d(px.x() - 320, px.y() - 240);
   };
