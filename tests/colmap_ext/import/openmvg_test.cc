@@ -157,9 +157,9 @@ TEST_F(Openmvg, BadFilesAreRefused) {
               HasSubstr("camera 0: no camera before it"));
   EXPECT_THAT(error_at("/intrinsics/0/value/ptr_wrapper/data/width", 100),
               HasSubstr("another aspect"));
-  EXPECT_THAT(error_at("/structure/3/value/X", {1, 2}), HasSubstr("point 3: \"X\""));
-  EXPECT_THAT(error_at("/structure/3/value/observations/0/value/x/0", "a"),
-              HasSubstr("point 3: \"x\" is not a number"));
+  EXPECT_THAT(error_at("/structure/0/value/X", {1, 2}), HasSubstr("point 0: \"X\""));
+  EXPECT_THAT(error_at("/structure/0/value/observations/0/value/x/0", "a"),
+              HasSubstr("point 0: \"x\" is not a number"));
   EXPECT_THAT(Error(kOpenmvgFormat, dir_.WriteFile("sfm_data.json", "{\"sfm_data_version\": ")),
               HasSubstr("parse error"));
 }
