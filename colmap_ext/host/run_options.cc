@@ -23,7 +23,7 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
   parser->AddOption("image_list_path", &view.image_list_path,
                     "file with the names of the images to use");
   parser->AddOption("skip_missing_images", &view.skip_missing_images,
-                    BasicOption("leave out registered images whose files are missing"));
+                    "leave out registered images whose files are missing");
   parser->AddOption("mask_path", &view.mask_path, BasicOption("folder of masks, <image name>.png"));
   parser->AddOption("edges_path", &options->edges_path,
                     "folder of edges found elsewhere, <image name>.edg, .cem, .txt or .png");
