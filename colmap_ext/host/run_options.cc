@@ -22,6 +22,8 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
                     "which of several models, -1 = the one with the most images");
   parser->AddOption("image_list_path", &view.image_list_path,
                     "file with the names of the images to use");
+  parser->AddOption("skip_missing_images", &view.skip_missing_images,
+                    "leave out registered images whose files are missing");
   parser->AddOption(
       "mask_path", &view.mask_path,
       BasicOption("folder of masks, such as <image name>.png, or one mask for all images"));

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <utility>
 
+#include "colmap_ext/workspace/shallow_search.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -14,6 +15,9 @@ namespace fs = std::filesystem;
 
 constexpr std::array kImageExtensions = {".png", ".jpg", ".jpeg", ".tif",  ".tiff",
                                          ".bmp", ".ppm", ".pgm",  ".webp", ".jp2"};
+
+// Behind the key of an image by its name without extension; in no file name.
+constexpr char kAnyExtension[] = "/";
 
 bool IsImage(const fs::path& path) {
   std::string extension = path.extension().string();
@@ -58,15 +62,43 @@ std::vector<std::string> ImageFolder::Names() const {
   return names;
 }
 
+std::optional<std::string> ImageFolder::FindByFileName(const std::string& file_name,
+                                                       const FilePlace& place) {
+  if (!is_indexed_) {
+    is_indexed_ = true;
+    for (const fs::path& file : SearchShallow(path_, 3).files) {
+      if (!IsImage(file)) continue;
+      const fs::path relative = file.lexically_relative(path_);
+      Index& index = relative.has_parent_path() ? below_ : direct_;
+      index[file.filename().string()].push_back(relative.generic_string());
+      index[file.stem().string() + kAnyExtension].push_back(relative.generic_string());
+    }
+  }
+  const std::string key = IsImage(file_name) ? file_name : file_name + kAnyExtension;
+  for (const Index* index : {&direct_, &below_}) {
+    const auto found = index->find(key);
+    if (found == index->end()) continue;
+    if (found->second.size() > 1) {
+      place.Fail("image \"" + file_name + "\" may be " + found->second[0] + " or " +
+                 found->second[1] + " in the image folder " + path_.string());
+    }
+    return found->second.front();
+  }
+  return std::nullopt;
+}
+
 std::optional<FoundImage> ImageFolder::Find(const std::string& name, const fs::path& base,
                                             const FilePlace& place) {
   std::string slashed = name;
   std::replace(slashed.begin(), slashed.end(), '\\', '/');
-  for (const fs::path& candidate :
-       {path_ / name, base / name, path_ / fs::path(slashed).filename()}) {
+  for (const fs::path& candidate : {path_ / name, path_ / slashed, base / name, base / slashed,
+                                    path_ / fs::path(slashed).filename()}) {
     const fs::path inside = Inside(candidate, path_);
     if (inside.empty() || !IsFile(candidate)) continue;
     return FoundImage{inside.generic_string(), ReadImageSize(candidate)};
+  }
+  if (const auto found = FindByFileName(fs::path(slashed).filename().string(), place)) {
+    return FoundImage{*found, ReadImageSize(path_ / *found)};
   }
   if (!skip_missing_) {
     place.Fail("image \"" + name + "\" is not in the image folder " + path_.string());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,8 +34,11 @@ class ImageFolder {
   //   name          in the image folder
   //   name          relative to `base`, if that leads into the image folder
   //   file name     (without folders, either slash) in the image folder
-  // Throws IoError via `place` if there is none, and IoError if its size cannot be read. Returns
-  // nothing, and records the name, if it is missing and missing images are skipped.
+  //   the same      with any extension of an image, where it has none, in the image folder
+  //   file name     in the folders below, with any extension where it has none
+  // Throws IoError via `place` if there is none, or if several fit in the last two ways, and
+  // IoError if its size cannot be read. Returns nothing, and records the name, if it is missing and
+  // missing images are skipped.
   std::optional<FoundImage> Find(const std::string& name, const std::filesystem::path& base,
                                  const FilePlace& place);
 
@@ -42,8 +46,15 @@ class ImageFolder {
   const std::vector<std::string>& missing() const { return missing_; }
 
  private:
+  // Of images by file name, and by file name without extension: paths relative to the folder.
+  using Index = std::map<std::string, std::vector<std::string>>;
+
+  std::optional<std::string> FindByFileName(const std::string& file_name, const FilePlace& place);
+
   std::filesystem::path path_;
   bool skip_missing_;
+  bool is_indexed_ = false;
+  Index direct_, below_;
   std::vector<std::string> missing_;
 };
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "colmap_ext/model/line_reader.h"
+#include "colmap_ext/workspace/camera_files.h"
 #include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
@@ -96,6 +97,24 @@ fs::path TheFile(const fs::path& path, const std::vector<std::string>& ends) {
   if (files.empty()) throw IoError(path.string(), "no file " + AnyOf(ends) + " in this folder");
   if (files.size() > 1) {
     throw IoError(path.string(), "several files " + AnyOf(ends) + " in this folder (" +
+                                     files[0].filename().string() + ", " +
+                                     files[1].filename().string() + "): give the path of one");
+  }
+  return files.front();
+}
+
+fs::path TheCameraFile(const fs::path& path, const std::string& input_type) {
+  std::error_code ignored;
+  if (fs::is_regular_file(path, ignored)) return path;
+  if (!fs::exists(path, ignored)) throw IoError(path.string(), "no such file or folder");
+  std::vector<fs::path> files = FilesEndingWith(path, "");
+  std::erase_if(files, [&](const fs::path& file) {
+    const auto found = RecognizeCameraFile(file);
+    return !found || found->input_type != input_type;
+  });
+  if (files.empty()) throw IoError(path.string(), "no " + input_type + " file in this folder");
+  if (files.size() > 1) {
+    throw IoError(path.string(), "several " + input_type + " files in this folder (" +
                                      files[0].filename().string() + ", " +
                                      files[1].filename().string() + "): give the path of one");
   }

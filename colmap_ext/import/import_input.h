@@ -31,6 +31,11 @@ std::vector<std::filesystem::path> FilesEndingWith(const std::filesystem::path& 
 std::filesystem::path TheFile(const std::filesystem::path& path,
                               const std::vector<std::string>& ends);
 
+// `path` if it is a file, else the only file of the folder that is recognized as this type
+// (camera_files.h). Throws IoError if there is none, or if there are several, with their names.
+std::filesystem::path TheCameraFile(const std::filesystem::path& path,
+                                    const std::string& input_type);
+
 // Whether `path` is a file whose name ends with one of `ends`, or a folder that holds one.
 bool HoldsFile(const std::filesystem::path& path, const std::vector<std::string>& ends);
 

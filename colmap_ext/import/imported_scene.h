@@ -6,6 +6,7 @@
 
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/model/tracked_points.h"
+#include "colmap_ext/workspace/image_size.h"
 
 namespace limn::colmap_ext {
 
@@ -29,6 +30,8 @@ struct ImportedImage {
   std::string path;
   const char* unit = "line";
   uint64_t number = 1;
+  // That of the image file, if it may differ from the camera's; else zero.
+  ImageSize file_size = {};
 };
 
 // The content of another program's file, in COLMAP's axes (x right, y down, z forward).

@@ -40,20 +40,43 @@ Coefficients Fit(const Eigen::ArrayXd& u, const Eigen::ArrayXd& factor,
   return k;
 }
 
-}  // namespace
-
-std::optional<InvertedDistortion> InvertMeasurementDistortion(double r, double max_radius) {
-  // dp/dm > 0 up to the border.
-  if (!(1 + 3 * r * max_radius * max_radius > 0)) return std::nullopt;
-  constexpr int kSamples = 100;
-  const Eigen::ArrayXd m = Eigen::ArrayXd::LinSpaced(kSamples, max_radius / kSamples, max_radius);
-  const Eigen::ArrayXd p = m * (1 + r * m.square());
+// From samples of p and m.
+FittedDistortion FitSamples(const Eigen::ArrayXd& p, const Eigen::ArrayXd& m) {
   const Eigen::ArrayXd u = p.square();
   const Coefficients k = Fit(u, m / p, p);
-  InvertedDistortion inverted;
-  inverted.extra = {k(0), k(1), 0, 0, k(2), k(3), k(4), k(5)};
-  inverted.max_error = (p * Factor(k, u) - m).abs().maxCoeff();
-  return inverted;
+  FittedDistortion fitted;
+  fitted.extra = {k(0), k(1), 0, 0, k(2), k(3), k(4), k(5)};
+  fitted.max_error = (p * Factor(k, u) - m).abs().maxCoeff();
+  return fitted;
+}
+
+constexpr int kSamples = 100;
+
+}  // namespace
+
+std::optional<FittedDistortion> InvertMeasurementDistortion(double r, double max_radius) {
+  // dp/dm > 0 up to the border.
+  if (!(1 + 3 * r * max_radius * max_radius > 0)) return std::nullopt;
+  const Eigen::ArrayXd m = Eigen::ArrayXd::LinSpaced(kSamples, max_radius / kSamples, max_radius);
+  return FitSamples(m * (1 + r * m.square()), m);
+}
+
+std::optional<FittedDistortion> FitRadialPolynomial(const std::array<double, 4>& k,
+                                                    double max_radius) {
+  const auto measured = [&](double p) {
+    const double u = p * p;
+    return p * (1 + u * (k[0] + u * (k[1] + u * (k[2] + u * k[3]))));
+  };
+  constexpr double kStep = 1e-3;
+  constexpr int kMaxSteps = 10000;
+  double reach = 0;  // of p, where m is at the border
+  for (int step = 1; measured(reach) < max_radius; ++step) {
+    const double next = step * kStep * max_radius;
+    if (step > kMaxSteps || !(measured(next) > measured(reach))) return std::nullopt;
+    reach = next;
+  }
+  const Eigen::ArrayXd p = Eigen::ArrayXd::LinSpaced(kSamples, reach / kSamples, reach);
+  return FitSamples(p, p.unaryExpr(measured));
 }
 
 }  // namespace limn::colmap_ext

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "colmap_ext/import/formats.h"
+#include "colmap_ext/import/stated_size.h"
 #include "colmap_ext/workspace/find_masks.h"
 #include "limn/util/errors.h"
 
@@ -79,14 +80,16 @@ void ImporterOptions::AddOptions(OptionParser* parser) {
                      {"integer", PixelCentersOption::kInteger},
                      {"half", PixelCentersOption::kHalf}},
                     "the center of the top-left pixel is (0, 0) or (0.5, 0.5) in the input; auto = "
-                    "integer for projection_matrices, intrinsic_extrinsic and middlebury, else "
-                    "half");
+                    "integer for projection_matrices, intrinsic_extrinsic, middlebury and openmvg, "
+                    "else half");
   parser->AddOption("share_cameras_px", &share_cameras_px,
                     "images share a camera if that moves no pixel by more, pixels");
   parser->AddOption("skip_missing_images", &skip_missing_images,
                     BasicOption("leave out cameras without an image"));
-  parser->AddOption("model_index", &model_index,
-                    "which model of an nvm file; -1 = the one with the most images");
+  parser->AddOption(
+      "model_index", &model_index,
+      "which model of an nvm file, reconstruction of opensfm or chunk of metashape; -1 = the "
+      "one with the most images");
 }
 
 void ImporterOptions::Check() const {
@@ -107,6 +110,7 @@ ImportedModel ImportModel(const ImporterOptions& options, std::vector<std::strin
   notes->push_back(std::string("Format ") + format.name + ", center of the top-left pixel at " +
                    (pixel_centers == PixelCenters::kInteger ? "(0, 0)" : "(0.5, 0.5)"));
   notes->insert(notes->end(), scene.notes.begin(), scene.notes.end());
+  if (const std::string note = NoteResized(scene.images); !note.empty()) notes->push_back(note);
   NoteLeftOut(images.missing(), "are missing", notes);
   NoteLeftOut(WithoutCamera(images, scene), "have no camera", notes);
   ImageMasks masks = MasksOf(scene);

@@ -11,17 +11,19 @@ namespace limn::colmap_ext {
 // and cy (default: the center of the image); w and h; mask_path per frame, relative like file_path;
 // k1 k2 k3 k4 p1 p2; camera_model, is_fisheye.
 //
-// Cameras become PINHOLE without distortion, OPENCV with it, FULL_OPENCV if k3 is given,
-// OPENCV_FISHEYE if the file says so. Points in other files (ply_file_path) are not read.
+// Cameras become PINHOLE without distortion, OPENCV with it, FULL_OPENCV if k3 or k4 is given,
+// OPENCV_FISHEYE if the file says so (brown_lens.h). Points in other files (ply_file_path) are not
+// read.
 //
 // Pixel centers: half; these tools copy cx and cy from COLMAP.
 
-// Whether it is a .json file, or a folder with transforms*.json.
+// Whether it is such a file, or a folder with one.
 bool HoldsNerfTransforms(const std::filesystem::path& path);
 
 // Throws IoError with the number of the frame: missing entries, wrong types, a matrix that is not a
 // rigid motion, unknown camera models, distortions that COLMAP does not have, a missing image or
-// one whose size is not w x h; and for the file: invalid JSON, no frames, NeuS2's axes (from_na).
+// one whose aspect is not that of w x h; and for the file: invalid JSON, no frames, NeuS2's axes
+// (from_na).
 ImportedScene ReadNerfTransforms(const ImportInput& input);
 
 }  // namespace limn::colmap_ext

@@ -154,8 +154,12 @@ void AddCertainty(const ViewSet& set, const std::vector<View>& views, const Draw
   trust->error_90_px = WeightedQuantile(sigmas_px, 0.9);
 }
 
+// Of the edges that do not stand still: the others are not of the scene, as the background before
+// which an object turned.
 bool ExplainsNothing(const Trust& trust, bool has_box) {
-  return trust.explained && *trust.explained < (has_box ? kNextToNothingInBox : kNextToNothing);
+  const double moving_share = 1 - trust.still.value_or(0);
+  return trust.explained &&
+         *trust.explained < moving_share * (has_box ? kNextToNothingInBox : kNextToNothing);
 }
 
 void SayAgreement(const Trust& trust, bool has_box, Console* console) {

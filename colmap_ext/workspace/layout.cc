@@ -1,15 +1,21 @@
 #include "colmap_ext/workspace/layout.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <exception>
+#include <iterator>
 #include <map>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "colmap_ext/workspace/camera_files.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/pmvs_model.h"
 #include "colmap_ext/workspace/refined_folder.h"
+#include "colmap_ext/workspace/shallow_search.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -18,6 +24,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr size_t kMaxListed = 20;
+
+// Where a project may have its models, or numbered folders of them, the first that has counts:
+// those of COLMAP, of nerfstudio, and of instant-ngp.
+constexpr std::array kSparseFolders = {"sparse", "colmap/sparse", "colmap_sparse", "colmap_text"};
 
 struct Candidate {
   fs::path model_dir;
@@ -77,11 +87,16 @@ std::string Listing(const fs::path& folder) {
 
 // Where a workspace may have models.
 std::vector<fs::path> FoldersOfModels(const fs::path& workspace) {
-  std::vector<fs::path> folders = {workspace / "sparse", workspace / "dense" / "sparse",
-                                   workspace / "colmap" / "sparse", workspace, workspace / "pmvs"};
-  for (const char* parent : {"sparse", "colmap/sparse", ""}) {
+  std::vector<fs::path> folders = {workspace / "dense" / "sparse", workspace, workspace / "pmvs"};
+  std::vector<fs::path> parents(kSparseFolders.begin(), kSparseFolders.end());
+  for (const char* parent : {"distorted/sparse", ""}) parents.emplace_back(parent);
+  for (const fs::path& parent : parents) {
+    folders.push_back(workspace / parent);
     for (const auto& [index, folder] : NumberedFolders(workspace / parent)) {
       folders.push_back(folder);
+      for (const auto& [inner, inner_folder] : NumberedFolders(folder)) {
+        folders.push_back(inner_folder);
+      }
     }
   }
   for (const auto& [index, folder] : NumberedFolders(workspace / "dense")) {
@@ -98,6 +113,85 @@ void CheckForIncompleteModels(const fs::path& workspace) {
   }
 }
 
+// Where a project may have its images, the best first: `images`, `input` of gaussian-splatting
+// (before it undistorts), and shrunk ones of nerfstudio and mip-NeRF 360.
+constexpr char kInputFolder[] = "input";
+constexpr std::array kImageFolders = {"images", kInputFolder, "images_2", "images_4", "images_8"};
+
+// The first that exists; `images` if none does. With `distorted`, `input` belongs to the model
+// there.
+fs::path ImageFolderIn(const fs::path& folder) {
+  for (const std::string_view name : kImageFolders) {
+    if (name == kInputFolder && IsFolder(folder / "distorted")) continue;
+    if (IsFolder(folder / name)) return folder / name;
+  }
+  return folder / kImageFolders.front();
+}
+
+fs::path ImageFolderOrNone(const fs::path& folder) {
+  const fs::path images = ImageFolderIn(folder);
+  return IsFolder(images) ? images : fs::path();
+}
+
+std::string HowToImportNear(const CameraFile& file) {
+  const fs::path folder = file.path.parent_path();
+  return HowToImport({file}, folder, ImageFolderOrNone(folder));
+}
+
+// Those in the workspace and up to three folders below.
+std::vector<fs::path> ModelsBelow(const ShallowSearch& found) {
+  std::vector<fs::path> models;
+  std::ranges::copy_if(found.folders, std::back_inserter(models), HoldsModel);
+  return models;
+}
+
+// The folder that has the first image of a model; empty if none has.
+fs::path FolderWithImagesOf(const fs::path& model, const ShallowSearch& found) {
+  std::string name;
+  try {
+    const SparseModel read = ReadModel(model);
+    if (!read.images.empty())
+      name = read.images[0].file.empty() ? read.images[0].name : read.images[0].file;
+  } catch (const std::exception&) {
+    return {};  // what is wrong with it is told when it is used
+  }
+  std::error_code ignored;
+  const auto has_it = [&](const fs::path& folder) {
+    return !name.empty() && fs::is_regular_file(folder / name, ignored);
+  };
+  const auto first = std::ranges::find_if(found.folders, has_it);
+  return first == found.folders.end() ? fs::path() : *first;
+}
+
+// What to do with what the workspace holds instead of a model with its images, in one sentence that
+// begins in lower case; empty if it holds nothing of use.
+std::string WayOut(const fs::path& workspace, const LayoutOptions& options) {
+  const ShallowSearch found = SearchShallow(workspace, 3);
+  const std::vector<fs::path> models = ModelsBelow(found);
+  if (!models.empty()) {
+    const fs::path images = options.image_path.empty() ? FolderWithImagesOf(models[0], found)
+                                                       : fs::path(options.image_path);
+    const std::string model =
+        "there is a model in " + models[0].string() + ": --input_path " + ShellWord(models[0]);
+    return images.empty() ? model + " --image_path <folder of its photographs> uses it"
+                          : model + " --image_path " + ShellWord(images) + " uses it";
+  }
+  const std::vector<CameraFile> files = FindCameraFiles(workspace);
+  if (!files.empty()) {
+    return HowToImport(
+        files, workspace,
+        options.image_path.empty() ? ImageFolderOrNone(workspace) : fs::path(options.image_path));
+  }
+  std::error_code ignored;
+  if (fs::exists(workspace / "database.db", ignored)) {
+    const fs::path images = ImageFolderIn(workspace);
+    return "database.db holds no cameras: `colmap mapper --database_path " +
+           ShellWord(workspace / "database.db") + " --image_path " + ShellWord(images) +
+           " --output_path " + ShellWord(workspace / "sparse") + "` makes a model";
+  }
+  return "";
+}
+
 [[noreturn]] void FailNothingFits(const fs::path& workspace, const LayoutOptions& options) {
   CheckForIncompleteModels(workspace);
   std::string found = "found " + Listing(workspace);
@@ -108,11 +202,12 @@ void CheckForIncompleteModels(const fs::path& workspace) {
   }
   const std::string asked =
       options.model_index < 0 ? "" : " with model_index " + std::to_string(options.model_index);
+  const std::string way_out = WayOut(workspace, options);
   throw IoError(
       workspace.string(),
       "no COLMAP model with its images" + asked +
           " (expected sparse/ and images/, dense/<i>/, sparse/<i>/ and images/, or pmvs/): " +
-          found);
+          found + (way_out.empty() ? "" : "; " + way_out));
 }
 
 // The first one that has most registered images.
@@ -145,9 +240,10 @@ class Finder {
       }
     }
     if (found.empty()) AddDense(workspace_ / "dense", kNoIndex, &found);
-    for (const char* sparse : {"sparse", "colmap/sparse"}) {
+    for (const char* sparse : kSparseFolders) {
       if (found.empty()) AddSparse(workspace_ / sparse, ImagesIn(workspace_), &found);
     }
+    if (found.empty()) AddDistorted(&found);
     for (const fs::path& folder : {workspace_, workspace_ / "pmvs"}) {
       if (found.empty()) AddPmvs(folder, &found);
     }
@@ -160,20 +256,33 @@ class Finder {
   static constexpr int kNoIndex = -1;
 
   fs::path ImagesIn(const fs::path& folder) const {
-    return options_.image_path.empty() ? folder / "images" : fs::path(options_.image_path);
+    return options_.image_path.empty() ? ImageFolderIn(folder) : fs::path(options_.image_path);
   }
 
   void AddDense(const fs::path& folder, int index, std::vector<Candidate>* found) const {
     Add({folder / "sparse", ImagesIn(folder), folder, folder, index}, found);
   }
 
-  // Numbered models in a folder, else the folder itself.
+  // Numbered models in a folder, also one deeper (where the mapper was told to write to
+  // sparse/0), else the folder itself.
   void AddSparse(const fs::path& folder, const fs::path& image_dir,
                  std::vector<Candidate>* found) const {
     for (const auto& [index, model_dir] : NumberedFolders(folder)) {
       Add({model_dir, image_dir, workspace_, {}, index}, found);
+      if (HoldsModel(model_dir)) continue;
+      for (const auto& [inner, inner_dir] : NumberedFolders(model_dir)) {
+        Add({inner_dir, image_dir, workspace_, {}, inner}, found);
+      }
     }
     if (found->empty()) Add({folder, image_dir, workspace_, {}, kNoIndex}, found);
+  }
+
+  // What gaussian-splatting starts from: its images are in `input`, and those in `images`, if any,
+  // undistorted.
+  void AddDistorted(std::vector<Candidate>* found) const {
+    const fs::path image_dir =
+        options_.image_path.empty() ? workspace_ / kInputFolder : fs::path(options_.image_path);
+    AddSparse(workspace_ / "distorted" / "sparse", image_dir, found);
   }
 
   void AddPmvs(const fs::path& folder, std::vector<Candidate>* found) const {
@@ -215,6 +324,9 @@ Candidate GivenModelFolder(const fs::path& given, int model_index) {
     found.back().model_dir = folder;
   }
   if (!found.empty()) return MostRegistered(found);
+  if (const auto file = RecognizeCameraFile(given)) {
+    throw IoError(given.string(), "not a COLMAP model; " + HowToImportNear(*file));
+  }
   if (!IsFolder(given)) throw IoError(given.string(), "no such folder");
   throw IoError(given.string(), "no COLMAP model (cameras and images): found " + Listing(given));
 }
@@ -233,7 +345,7 @@ Candidate GivenModel(const LayoutOptions& options) {
   result.image_dir = result.model_dir / "visualize";
   if (HoldsPmvsModel(result.model_dir)) return result;
   for (const fs::path& folder : {parent, parent.parent_path(), fs::path(options.workspace_path)}) {
-    result.image_dir = folder / "images";
+    result.image_dir = ImageFolderIn(folder);
     if (IsFolder(result.image_dir)) return result;
   }
   throw IoError(options.input_path,
@@ -312,6 +424,10 @@ WorkspaceLayout ResolveLayout(const LayoutOptions& options) {
   options.Check();
   if (!options.image_path.empty()) CheckImageFolder(options.image_path);
   if (!options.workspace_path.empty() && !IsFolder(options.workspace_path)) {
+    const fs::path workspace = options.workspace_path;
+    if (const auto file = RecognizeCameraFile(workspace)) {
+      throw IoError(workspace.string(), "not a folder (workspace_path); " + HowToImportNear(*file));
+    }
     throw IoError(options.workspace_path, "no such folder (workspace_path)");
   }
   const Candidate chosen = options.input_path.empty()

@@ -62,15 +62,21 @@ struct WorkspaceLayout {
 // Finds model, images and output folders. The workspace W is interpreted as the first of
 //   W            W/sparse holds a model and W/images exists (a dense workspace)
 //   W/dense/<i>  holds the same; then W/dense itself
-//   W/sparse/<i> or W/sparse, with W/images; then the same in W/colmap/sparse
+//   W/sparse/<i> or W/sparse, with W/images; then the same in W/colmap/sparse (nerfstudio),
+//                W/colmap_sparse and W/colmap_text (instant-ngp); W/sparse/<i>/<j> counts, too
+//   W/distorted/sparse/<i>  with W/input (gaussian-splatting before it undistorts)
 //   W, W/pmvs    a PMVS folder (pmvs_model.h), with its visualize/
 //   W/<i> or W   a model itself, with `images` in W, its parent or the parent of that
-// The other paths override the folders found; with image_path, no `images` folder is required.
+// Where there is no folder `images`, the first of `input`, `images_2`, `images_4` and `images_8` is
+// used. The other paths override the folders found; with image_path, no `images` folder is
+// required.
 //
 // A drawing or sketch that fits refined cameras was written with them, into refined/ of the output
 // folder. A command that continues from it takes that model, unless input_path names one.
 //
-// Throws OptionError if too few paths are given, IoError saying what was found if nothing matches.
+// Throws OptionError if too few paths are given. Throws IoError if nothing matches; it says what
+// was found: the options for a model elsewhere, the command that imports cameras of another
+// program, or the one that makes a model of a database.
 WorkspaceLayout ResolveLayout(const LayoutOptions& options);
 
 // If this drawing or sketch fits refined cameras, and these are in refined/ of the layout's output

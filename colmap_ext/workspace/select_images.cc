@@ -91,12 +91,47 @@ void LeaveOutDuplicates(const SparseModel& model, const ImageFiles& files, const
   std::erase_if(selected->images, [&](int index) { return left_out.contains(index); });
 }
 
+bool IsMissing(const std::string& path, const PhotoStore& photos) {
+  std::error_code ignored;
+  return !photos.IsInMemory(path) && !fs::is_regular_file(path, ignored);
+}
+
+// Removes the images without a file; `paths` are those of all of them.
+void LeaveOutMissing(const SparseModel& model, const std::vector<std::string>& paths,
+                     const fs::path& image_dir, const PhotoStore& photos,
+                     SelectedImages* selected) {
+  std::vector<int> found;
+  std::vector<std::string> names;
+  for (size_t i = 0; i < paths.size(); ++i) {
+    const int index = selected->images[i];
+    if (IsMissing(paths[i], photos)) {
+      names.push_back(model.images[index].name);
+    } else {
+      found.push_back(index);
+    }
+  }
+  if (names.empty()) return;
+  const std::string num_images = std::to_string(paths.size());
+  if (found.empty()) {
+    throw InputError(image_dir.string() + ": none of the " + num_images +
+                     " images of the model is there: --image_path names their folder");
+  }
+  selected->images = std::move(found);
+  selected->warnings.push_back(std::to_string(names.size()) + " of " + num_images +
+                               " images are missing in " + image_dir.string() +
+                               " and are left out (skip_missing_images): " + ListNames(names));
+}
+
+// What to do about missing files: leave them out, or look elsewhere if all are missing.
+std::string WayOutOfMissing(int64_t num_missing, size_t num_images) {
+  return static_cast<size_t>(num_missing) < num_images
+             ? "; --skip_missing_images 1 leaves out what is missing"
+             : "; none of the images is there: --image_path names their folder";
+}
+
 void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& image_dir,
                       const PhotoStore& photos) {
-  const auto missing = [&](const std::string& path) {
-    std::error_code ignored;
-    return !photos.IsInMemory(path) && !fs::is_regular_file(path, ignored);
-  };
+  const auto missing = [&](const std::string& path) { return IsMissing(path, photos); };
   const auto first = std::find_if(paths.begin(), paths.end(), missing);
   if (first == paths.end()) return;
   const auto count = std::count_if(first, paths.end(), missing);
@@ -110,18 +145,21 @@ void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& ima
       HintForMissing(image_dir, fs::path(*first).lexically_relative(image_dir).string());
   throw IoError(*first, (is_link ? "the image is a symbolic link that leads nowhere"
                                  : "the image is registered in the model but missing on disk") +
-                            others + hint);
+                            others + hint + WayOutOfMissing(count, paths.size()));
 }
 
 }  // namespace
 
 SelectedImages SelectImages(const SparseModel& model, const fs::path& image_dir,
-                            const std::string& image_list_path, const PhotoStore& photos,
-                            const RunContext& context) {
+                            const std::string& image_list_path, bool skip_missing,
+                            const PhotoStore& photos, const RunContext& context) {
   const std::vector<int> listed = ImagesToUse(model, image_list_path);
   SelectedImages selected = {SceneReach(model, listed), listed, {}, {}, {}};
   LeaveOutFar(model, &selected);
   ImageFiles files = FindImageFiles(model, selected.images, image_dir, photos);
+  if (skip_missing) {
+    LeaveOutMissing(model, PathsOf(files, selected.images), image_dir, photos, &selected);
+  }
   CheckImagesExist(PathsOf(files, selected.images), image_dir, photos);
   LeaveOutDuplicates(model, files, photos, context, &selected);
   selected.paths = PathsOf(files, selected.images);

@@ -23,10 +23,11 @@ struct SelectedImages {
 
 // Those in the list (ReadListedImages), or all without one; their files as FindImageFiles says.
 // Images far outside the scene of the others (SceneReach) and duplicates (FindDuplicateImages) are
-// left out with warnings; of duplicates, the one with the most 2D points stays. Throws IoError if a
-// name in the list is not registered or a file is missing, InputError if no image is left.
+// left out with warnings; of duplicates, the one with the most 2D points stays. With
+// `skip_missing`, so are images whose file does not exist. Throws IoError if a name in the list is
+// not registered or a file is missing, InputError if no image is left.
 SelectedImages SelectImages(const SparseModel& model, const std::filesystem::path& image_dir,
-                            const std::string& image_list_path, const PhotoStore& photos,
-                            const RunContext& context);
+                            const std::string& image_list_path, bool skip_missing,
+                            const PhotoStore& photos, const RunContext& context);
 
 }  // namespace limn::colmap_ext

@@ -453,8 +453,8 @@ double ScaleOf(double edge_blur_px, double max_scale) {
 ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewOptions& options,
                 const RunContext& context, const PhotoStore& photos) {
   options.Check();
-  const SelectedImages used =
-      SelectImages(model, image_dir, options.image_list_path, photos, context);
+  const SelectedImages used = SelectImages(model, image_dir, options.image_list_path,
+                                           options.skip_missing_images, photos, context);
   ViewSet set;
   set.warnings = model.warnings;
   set.warnings.insert(set.warnings.end(), used.warnings.begin(), used.warnings.end());

@@ -17,6 +17,8 @@ namespace limn::colmap_ext {
 struct ViewOptions {
   // Text file with the names of the images to use, one per line. Empty = all registered images.
   std::string image_list_path;
+  // Leave out, with a warning, images without a file instead of refusing them.
+  bool skip_missing_images = false;
   // Folder of masks, list of masks or mask of all images (FindMasks): pixels where they are 0 are
   // not used. An image without a mask is used entirely, with a warning. Empty = no masks.
   std::string mask_path;

@@ -153,6 +153,27 @@ def imports():
         '"k1": 0.01, "k2": 0, "p1": 0.001, "p2": 0, "camera_model": "OPENCV", "frames": [\n'
         f'{{"file_path": "images/a.png", "transform_matrix": {matrix}}},\n'
         f'{{"file_path": "b.png", "is_fisheye": true, "p1": 0, "k4": 0.1, "transform_matrix": {matrix}}}]}}\n')
+    put("opensfm", "two", '[{"cameras": {"c": {"projection_type": "brown", "width": 40, "height": 30, "focal_x": 1.5,\n'
+        '"focal_y": 1.5, "c_x": 0.01, "c_y": 0, "k1": 0.1, "k2": 0, "p1": 0, "p2": 0.001, "k3": 0.01}, "d": {"focal": 1}},\n'
+        '"shots": {"a.png": {"rotation": [0.1, 0, 3], "translation": [1, 2, 3], "camera": "c"},\n'
+        '"b.png": {"rotation": [0, 0, 0], "translation": [1, 2, 3], "camera": "d"}},\n'
+        '"points": {"7": {"coordinates": [1, 2, 3], "color": [1, 2, 255.5]}}}]\n')
+    put("openmvg", "one", '{"sfm_data_version": "0.3", "root_path": "images", "views": [{"key": 0, "value":\n'
+        '{"polymorphic_id": 1073741824, "ptr_wrapper": {"id": 1, "data": {"local_path": "", "filename": "a.png",\n'
+        '"width": 40, "height": 30, "id_view": 0, "id_intrinsic": 1, "id_pose": 2}}}}], "intrinsics": [{"key": 1, "value":\n'
+        '{"polymorphic_id": 2147483649, "polymorphic_name": "pinhole_radial_k3", "ptr_wrapper": {"id": 2, "data": {\n'
+        '"width": 40, "height": 30, "focal_length": 60, "principal_point": [20, 15], "disto_k3": [0.1, 0, 0.01]}}}}],\n'
+        '"extrinsics": [{"key": 2, "value": {"rotation": [[0, 1, 0], [-1, 0, 0], [0, 0, 1]], "center": [1, 2, 3]}}],\n'
+        '"structure": [{"key": 0, "value": {"X": [1, 2, 9], "observations": [{"key": 0, "value": {"id_feat": 3,\n'
+        '"x": [4.5, 6]}}]}}]}\n')
+    put("metashape", "two", '<?xml version="1.0" encoding="UTF-8"?>\n<document version="2.0.0"><chunk><sensors>\n'
+        '<sensor id="0" type="frame"><resolution width="40" height="30"/><calibration type="frame" class="adjusted">\n'
+        '<f>60</f><cx>1</cx><b1>0.1</b1><k1>0.1</k1><k4>0.01</k4><p1>0.001</p1></calibration></sensor></sensors>\n'
+        '<components><component id="1"><transform><scale>2</scale></transform></component></components><cameras>\n'
+        '<camera id="0" sensor_id="0" component_id="1" label="a"><transform>1 0 0 1 0 1 0 2 0 0 1 3 0 0 0 1</transform>\n'
+        '</camera><group><camera id="1" sensor_id="0" label="b.png&#65;"/></group></cameras></chunk></document>\n')
+    put("realitycapture", "two", "#cameras 2\n#name,x,y,alt,heading,pitch,roll,f,px,py,k1,k2,k3,k4,t1,t2\n"
+        "a.png,1,2,3,10,20,30,35,0.01,0,0.1,0,0.01,0.001,0,0.001\nb.png,1,2,-3e1,-170,0,90,35,0,0,0,0,0,0,0,0\n")
 
 
 def dense():

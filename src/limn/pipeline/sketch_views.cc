@@ -8,6 +8,7 @@
 #include "limn/cache/curves_key.h"
 #include "limn/cache/view_sketch_file.h"
 #include "limn/pipeline/pipeline_options.h"
+#include "limn/sketch/local_sketch.h"
 
 namespace limn {
 namespace {
@@ -15,8 +16,9 @@ namespace {
 // What the sketches of all views depend on.
 std::string CommonKey(SketchMode mode, const SketchInput& input, const SketchOptions& options) {
   return std::string(SketchModeName(mode)) + " sketch, version " + std::to_string(kSketchVersion) +
-         "\n" + OptionsAsText(options.view_selection) + OptionsAsText(options) + "box " +
-         BoxKey(input.scene.box) + "\nview ";
+         "\n" + OptionsAsText(options.view_selection) +
+         OptionsAsText(ForScene(options, input.scene.views)) + "box " + BoxKey(input.scene.box) +
+         "\nview ";
 }
 
 std::string PlanKey(const SketchIdentity& identity, ViewId view, const ViewPlan& plan,

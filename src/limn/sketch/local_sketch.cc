@@ -124,11 +124,18 @@ PrimaryView::Verdict PrimaryView::Judge(const HypothesisSupport& support, size_t
   return {true, certain};
 }
 
+SketchOptions ForScene(SketchOptions options, const std::vector<View>& views) {
+  options.min_supporting_views =
+      std::min(options.min_supporting_views, CountOtherPlaces(views, options.min_supporting_views));
+  return options;
+}
+
 SketchResult SketchFragments(const char* stage, const SketchInput& input,
-                             const SketchOptions& options, const RunContext& context,
+                             const SketchOptions& given, const RunContext& context,
                              const ViewSketchStore* store,
                              const std::function<DepthFinder(const PrimaryView&)>& make_finder) {
-  options.Check();
+  given.Check();
+  const SketchOptions options = ForScene(given, input.scene.views);
   std::vector<ViewPlan> plans = input.plans ? *input.plans
                                             : SelectViews(input.scene.views, input.scene.hints,
                                                           options.view_selection, context);

@@ -45,6 +45,10 @@ struct DepthFinder {
   std::function<DepthProfile(const FragmentRays&)> find;
 };
 
+// The options with which a scene of these views is sketched: a scene with few places has fewer than
+// min_supporting_views others that can confirm a view; then all of them must.
+SketchOptions ForScene(SketchOptions options, const std::vector<View>& views);
+
 // Makes a sketch from local support: makes a finder for every view, runs it on every fragment that
 // is long enough, and turns its depths into curves with support. `stage` names the result. Views
 // are processed in parallel. Views in the store (may be null) are taken from it; the others are

@@ -51,7 +51,7 @@ struct SketchOptions {
     visit("max_support_angle_deg", self.max_support_angle_deg, Above(0, 90),
           "and within this angle, deg");
     visit("min_supporting_views", self.min_supporting_views, Between(1, 1e6),
-          "confirmation views that must support a sample");
+          "confirmation views that must support a sample, all others of a scene with fewer");
     visit("averaging", self.averaging, OneOf({"robust", "paper"}),
           "enhanced mode: robust, or the paper's section 2");
     visit("original_min_inliers_total", self.original_min_inliers_total, Between(0, 1e9),

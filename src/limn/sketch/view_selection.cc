@@ -127,16 +127,15 @@ bool IsExtended(double extent, const std::vector<Eigen::Vector3d>& centers) {
 // As many sites as there must be where more views than the two of a pair are to confirm a place.
 constexpr int kEnoughSites = 4;
 
-// Of the distinct centers, which views of a panorama or from one tripod share; at most
-// kEnoughSites.
-int CountSites(const std::vector<Eigen::Vector3d>& centers) {
+// Of the distinct centers, which views of a panorama or from one tripod share; at most `enough`.
+int CountSites(const std::vector<Eigen::Vector3d>& centers, int enough = kEnoughSites) {
   std::vector<Eigen::Vector3d> sites;
   for (const Eigen::Vector3d& center : centers) {
     const bool is_known = std::any_of(sites.begin(), sites.end(), [&](const auto& site) {
       return (site - center).norm() <= 1e-9 * center.norm();
     });
     if (!is_known) sites.push_back(center);
-    if (sites.size() == kEnoughSites) break;
+    if (std::ssize(sites) == enough) break;
   }
   return static_cast<int>(sites.size());
 }
@@ -395,6 +394,10 @@ std::string WhyNothingIsTriangulated(const std::vector<View>& views) {
     return "the cameras must be at 3 places at least, but all are at " + std::to_string(num_sites);
   }
   return "";
+}
+
+int CountOtherPlaces(const std::vector<View>& views, int enough) {
+  return std::max(1, CountSites(Centers(views), enough + 1) - 1);
 }
 
 void CheckViews(const std::vector<View>& views) {

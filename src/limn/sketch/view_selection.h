@@ -57,6 +57,10 @@ struct ViewPlan {
 // (views of one panorama share theirs); else empty.
 std::string WhyNothingIsTriangulated(const std::vector<View>& views);
 
+// Other places than its own from which the views of a scene can confirm what one of them shows, at
+// least 1, at most `enough`.
+int CountOtherPlaces(const std::vector<View>& views, int enough);
+
 // Throws InputError if nothing can be triangulated, as SelectViews does. Call it before extracting
 // edges.
 void CheckViews(const std::vector<View>& views);

@@ -30,6 +30,10 @@ TEST(Formats, AreRecognizedByWhatIsThere) {
   expect("a.nvm", "NVM_V3\n", "nvm", true);
   expect("dino_par.txt", "0\n", "middlebury", true);
   expect("transforms.json", "{}", "nerf_transforms", true);
+  expect("reconstruction.json", "[{\"cameras\": {}}]", "opensfm", true);
+  expect("anything.json", "{\"sfm_data_version\": \"0.3\"}", "openmvg", true);
+  expect("anything.xml", "<?xml?><document><chunk/></document>", "metashape", true);
+  expect("anything.csv", "#cameras 1\n#name,x,y,alt,heading,pitch,roll\n", "realitycapture", true);
 }
 
 TEST(Formats, TextFilesOfMatricesAreRecognized) {
@@ -38,6 +42,25 @@ TEST(Formats, TextFilesOfMatricesAreRecognized) {
   dir.WriteFile("dtu/pos_001.txt", kMatrix);
   EXPECT_THAT(RecognizeFormat(dir / "pmvs").name, StrEq("projection_matrices"));
   EXPECT_THAT(RecognizeFormat(dir / "dtu").name, StrEq("projection_matrices"));
+}
+
+TEST(Formats, FilesThatAreNotReadTellHowToExport) {
+  const TempDir dir;
+  const auto error = [&](const std::string& name, const std::string& text) {
+    const std::string path = dir.WriteFile(name, text);
+    const std::string of_file = ErrorText<IoError>([&] { RecognizeFormat(path); });
+    EXPECT_THAT(of_file, HasSubstr("--input_type may be projection_matrices, "));
+    const std::string of_folder =
+        ErrorText<IoError>([&] { RecognizeFormat(std::filesystem::path(path).parent_path()); });
+    EXPECT_THAT(of_folder, HasSubstr(std::filesystem::path(name).filename().string() + " is a"));
+    return of_file;
+  };
+  EXPECT_THAT(error("a/cameras.sfm", "{}"), HasSubstr("Meshroom, which is not read: aliceVision"));
+  EXPECT_THAT(error("b/scene.mvs", "MVSI"), HasSubstr("InterfaceCOLMAP"));
+  EXPECT_THAT(error("c/poses_bounds.npy", ""), HasSubstr("LLFF"));
+  EXPECT_THAT(error("d/a.psx", ""), HasSubstr("Agisoft XML"));
+  EXPECT_THAT(error("e/a.rcproj", ""), HasSubstr("Internal/External camera parameters"));
+  EXPECT_THAT(error("f/sfm_data.bin", ""), HasSubstr("ConvertSfM_DataFormat"));
 }
 
 TEST(Formats, NoneAndSeveralAreRefused) {

@@ -89,6 +89,15 @@ TEST(VerdictOf, NeedsEvidenceAgreementAndDepth) {
   EXPECT_EQ(VerdictOf({}, false), Verdict::kDoubtful);
 }
 
+// As of an object on a turntable, whose background is most of the edges.
+TEST(VerdictOf, EdgesThatStandStillNeedNoExplanation) {
+  Trust trust = TrustIn(0.44, 0.019, 0);
+  trust.still = 0.76;
+  EXPECT_EQ(VerdictOf(trust, false), Verdict::kDoubtful);
+  trust.explained = 0.004;
+  EXPECT_EQ(VerdictOf(trust, false), Verdict::kNonsense);
+}
+
 std::string SaidOf(const Trust& trust) {
   ::testing::internal::CaptureStdout();
   {

@@ -279,6 +279,79 @@ TEST_F(Layout, ErrorsListWhatWasFound) {
   EXPECT_THAT(ErrorOf(options), HasSubstr("photos: no such folder (image_path)"));
 }
 
+TEST_F(Layout, FoldersOfOtherPrograms) {
+  AddModel("gs/distorted/sparse/0");
+  AddFolder("gs/input");
+  AddModel("ngp/colmap_text");
+  AddFolder("ngp/images");
+  AddModel("ngp2/colmap_sparse/0", 1);
+  AddModel("ngp2/colmap_sparse/1");
+  AddFolder("ngp2/images");
+  AddModel("deep/sparse/0/0", 1);
+  AddModel("deep/sparse/0/1");
+  AddFolder("deep/images");
+  AddModel("shrunk/sparse/0");
+  AddFolder("shrunk/images_4");
+  AddFolder("shrunk/images_8");
+  const auto expect = [&](const std::string& name, const std::string& model,
+                          const std::string& images) {
+    LayoutOptions options = Options();
+    options.workspace_path += "/" + name;
+    ExpectLayout(options, name + "/" + model, name + "/" + images, name);
+  };
+  expect("gs", "distorted/sparse/0", "input");
+  expect("ngp", "colmap_text", "images");
+  expect("ngp2", "colmap_sparse/1", "images");
+  expect("deep", "sparse/0/1", "images");
+  expect("shrunk", "sparse/0", "images_4");
+  // What gaussian-splatting has undistorted comes first, and never with the images it was made of.
+  AddModel("gs/sparse/0");
+  expect("gs", "distorted/sparse/0", "input");
+  AddFolder("gs/images");
+  expect("gs", "sparse/0", "images");
+}
+
+TEST_F(Layout, ModelsAndImagesElsewhereAreNamed) {
+  AddModel("my project/reconstruction/final");
+  AddFolder("my project/photos/left");
+  LayoutOptions options = Options();
+  options.workspace_path += "/my project";
+  EXPECT_THAT(ErrorOf(options), AllOf(HasSubstr("--input_path '"), HasSubstr("/final' --image_path "
+                                                                             "<folder of its")));
+  dir_.WriteFile("my project/photos/left/c.png", "");
+  EXPECT_THAT(ErrorOf(options), HasSubstr("photos/left' uses it"));
+}
+
+TEST_F(Layout, CamerasOfOtherProgramsAreNamedWithTheCommand) {
+  AddFolder("images");
+  dir_.WriteFile("transforms.json", "{\"frames\": []}");
+  const std::string command = "`limn model_importer --input_path " +
+                              (dir_ / "transforms.json").string() + " --image_path " +
+                              (dir_ / "images").string() + " --output_path " +
+                              (dir_ / "sparse/0").string() + "`";
+  EXPECT_THAT(ErrorOf(Options()), HasSubstr(command));
+  dir_.WriteFile("a.mvs", "MVSI");
+  EXPECT_THAT(ErrorOf(Options()),
+              AllOf(HasSubstr(command), HasSubstr("there are also a.mvs (OpenMVS)")));
+  // Given themselves.
+  LayoutOptions options = Options();
+  options.input_path = (dir_ / "transforms.json").string();
+  EXPECT_THAT(ErrorOf(options), HasSubstr("not a COLMAP model; "));
+  options = {};
+  options.workspace_path = (dir_ / "transforms.json").string();
+  EXPECT_THAT(ErrorOf(options), HasSubstr("not a folder (workspace_path); "));
+  fs::remove(dir_ / "transforms.json");
+  EXPECT_THAT(ErrorOf(Options()), HasSubstr("a.mvs is of OpenMVS: InterfaceCOLMAP"));
+}
+
+TEST_F(Layout, ADatabaseAloneIsNamedWithTheMapper) {
+  AddFolder("images");
+  dir_.WriteFile("database.db", "");
+  EXPECT_THAT(ErrorOf(Options()),
+              AllOf(HasSubstr("database.db holds no cameras: `colmap mapper --database_path "),
+                    HasSubstr("--output_path " + (dir_ / "sparse").string() + "`")));
+}
+
 TEST_F(Layout, ErrorsAreOneLine) {
   for (int i = 0; i < 50; ++i) dir_.WriteFile("file" + std::to_string(i), "");
   const std::string error = ErrorOf(Options());

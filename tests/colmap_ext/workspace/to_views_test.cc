@@ -493,6 +493,23 @@ TEST_F(ToViewsTest, MissingImagesAreNamed) {
   EXPECT_THAT(ErrorOf(), AllOf(HasSubstr("b.png: "), HasSubstr("and 1 other images")));
 }
 
+TEST_F(ToViewsTest, MissingImagesAreLeftOutOnRequest) {
+  fs::remove(dir_ / "b.png");
+  EXPECT_THAT(ErrorOf(), HasSubstr("; --skip_missing_images 1 leaves out what is missing"));
+  options_.skip_missing_images = true;
+  const ViewSet set = Views();
+  ASSERT_EQ(set.views.size(), 2u);
+  EXPECT_EQ(set.ImageName(0), "c.png");
+  EXPECT_THAT(set.warnings, Contains(AllOf(HasSubstr("1 of 3 images are missing in "),
+                                           HasSubstr("(skip_missing_images): b.png"))));
+  fs::remove(dir_ / "c.png");
+  fs::remove(dir_ / "sub/a b.png");
+  EXPECT_THAT(ErrorText<InputError>([&] { Views(); }),
+              HasSubstr("none of the 3 images of the model is there: --image_path names"));
+  options_.skip_missing_images = false;
+  EXPECT_THAT(ErrorOf(), HasSubstr("none of the images is there: --image_path names"));
+}
+
 TEST_F(ToViewsTest, MasksCutTheRegionAndComeWithTheImage) {
   cv::Mat mask(600, 800, CV_8UC1, cv::Scalar(255));
   mask.colRange(0, 400).setTo(0);

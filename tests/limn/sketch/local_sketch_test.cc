@@ -67,6 +67,25 @@ TEST_F(VerdictTest, ByWeightAloneSupportsWhatIsCertainAtAnyAngles) {
   EXPECT_FALSE(Judge(kAll, 0b1100, 3).supported);
 }
 
+// Views of one panorama are at one place.
+TEST(ForScene, ScenesOfFewPlacesNeedAllOfThem) {
+  std::vector<View> views;
+  const auto required = [&](int min_views) {
+    SketchOptions options;
+    options.min_supporting_views = min_views;
+    return ForScene(options, views).min_supporting_views;
+  };
+  for (const double degrees : {0, 0, 20, 40, 40}) views.push_back(testing::RingView(degrees, 5));
+  EXPECT_EQ(required(1), 1);
+  EXPECT_EQ(required(2), 2);
+  EXPECT_EQ(required(3), 2);
+  views.push_back(testing::RingView(60, 5));
+  EXPECT_EQ(required(3), 3);
+  EXPECT_EQ(required(6), 3);
+  for (int i = 0; i < 10; ++i) views.push_back(testing::RingView(70 + 10 * i, 5));
+  EXPECT_EQ(required(6), 6);
+}
+
 TEST_F(VerdictTest, NothingOutsideOfTheBoxIsSupported) {
   for (const bool by_weight_alone : {false, true}) {
     options_.by_weight_alone = by_weight_alone;

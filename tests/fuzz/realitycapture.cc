@@ -1,0 +1,7 @@
+#include "colmap_ext/import/realitycapture.h"
+
+#include "fuzz/import_targets.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  return limn::fuzz::FuzzImportFile(data, size, limn::colmap_ext::ReadRealityCapture);
+}
