@@ -17,6 +17,8 @@ namespace {
 
 // Residuals below this share of the spread of the targets are no contradiction: models bend.
 constexpr double kSmallShare = 0.01;
+// And so bent ones are as if stretched.
+constexpr double kBentShare = 0.03;
 // And of so few in other orders: they would leave more.
 constexpr double kClearShare = 0.1;
 // What fits by so much better, in standard deviations, is no accident; of fewer than
@@ -197,7 +199,9 @@ PositionCheck CheckPositions(const std::vector<PointPair>& pairs, const Position
     if (!better) {
       better = BetterSimilarity(PositionDoubt::kMirrored, fit, Mirrored(pairs), much_better);
     }
-    if (!better) better = BetterStretch(pairs, fit, much_better);
+    if (!better && fit.median_residual > kBentShare * spread) {
+      better = BetterStretch(pairs, fit, much_better);
+    }
     if (better) return *better;
     const bool is_clear = fit.median_residual < kClearShare * spread;
     const bool is_noise = fit.typical_scaled_residual <= kMuchBetter * accuracy;

@@ -46,8 +46,12 @@ FusionResult FuseDrawing(const FusionInput& input, const DenseOptions& options,
   FusionResult result;
   result.graph = input.graph;
   result.samples = SampleDrawing(input.graph, input.views, options.sample_spacing_px);
-  const std::vector<SampleSupport> support =
-      FindSampleSupport(result.samples, input.views, input.depths, options, context);
+  const SurelySeen seen(input.graph, result.samples, input.views);
+  DepthJudge judge(seen, input.views, input.depths, input.depths_are_separate, options);
+  std::vector<SampleSupport> support =
+      FindSampleSupport(result.samples, input.views, judge.FittingDepths(), options, context);
+  result.trust = judge.Conclude();
+  if (!result.trust.is_believed) support.assign(support.size(), {});
   result.classes = ClassifyLinks(input.graph, result.samples, support,
                                  NearDense(input, result.samples, support, options), options);
   for (size_t l = 0; l < result.graph.links.size(); ++l) {
