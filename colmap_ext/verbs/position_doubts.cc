@@ -93,8 +93,8 @@ std::string PositionDoubtText(const AlignmentResult& result,
              Residuals(result, "stretched by " + StretchText(result.position_check.stretch));
     case PositionDoubt::kAnyOrder:
       return begin + "they fit within " + Meters(result.positions->median_residual) +
-             " (median), no better than in another order, as if they were of other images; farthest "
-             "are " + ListNumbers(PositionsBeyond(result, -1, set), "m");
+             " (median), no better than in another order: they are of other images, or many are wrong; "
+             "farthest are " + ListNumbers(PositionsBeyond(result, -1, set), "m");
     case PositionDoubt::kManyWrong:
       return begin + std::to_string(result.positions->num_rejected) + " of " +
              std::to_string(result.positioned.size()) + " contradict the others: " +

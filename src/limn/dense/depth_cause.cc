@@ -17,7 +17,7 @@ using Kind = DepthCause::Kind;
 constexpr size_t kMaxExamined = 6, kMaxPlacesOfEach = 300;
 // Shifts are tried in so many steps either way, each this share of the image's width.
 constexpr int kShiftSteps = 10;
-constexpr double kShiftStep = 0.02;
+constexpr double kShiftStep = 0.03;
 
 struct Examined {
   ViewId view = -1;
@@ -28,15 +28,19 @@ struct Examined {
 std::vector<Examined> Examine(const std::vector<ViewId>& unfit, const SurelySeen& seen,
                               const DepthSource& depths) {
   std::vector<Examined> examined;
-  const size_t every = (unfit.size() + kMaxExamined - 1) / kMaxExamined;
-  for (size_t u = 0; u < unfit.size(); u += every) {
-    auto image = depths(unfit[u]);
+  std::vector<ViewId> with_places;
+  for (const ViewId view : unfit) {
+    if (seen.In(view).size() >= kEnoughPlaces) with_places.push_back(view);
+  }
+  const size_t every = (with_places.size() + kMaxExamined - 1) / kMaxExamined;
+  for (size_t u = 0; u < with_places.size(); u += every) {
+    auto image = depths(with_places[u]);
     if (!image) continue;
     std::vector<SeenPlace> places;
-    const std::vector<SeenPlace> all = seen.In(unfit[u]);
+    const std::vector<SeenPlace> all = seen.In(with_places[u]);
     const size_t step = (all.size() + kMaxPlacesOfEach - 1) / kMaxPlacesOfEach;
     for (size_t p = 0; p < all.size(); p += step) places.push_back(all[p]);
-    examined.push_back({unfit[u], std::move(*image), std::move(places)});
+    examined.push_back({with_places[u], std::move(*image), std::move(places)});
   }
   return examined;
 }
@@ -95,7 +99,7 @@ std::vector<std::pair<double, double>> DepthPairs(const std::vector<Examined>& e
   return pairs;
 }
 
-// The middle of the window of this width that holds most of the values.
+// The median in the window of this width that holds most of the values.
 double Mode(std::vector<double> values, double width) {
   std::sort(values.begin(), values.end());
   size_t begin = 0, most = 0;
@@ -104,7 +108,7 @@ double Mode(std::vector<double> values, double width) {
     while (values[end] - values[begin] > width) ++begin;
     if (end - begin + 1 <= most) continue;
     most = end - begin + 1;
-    mode = (values[begin] + values[end]) / 2;
+    mode = values[(begin + end) / 2];
   }
   return mode;
 }
@@ -159,6 +163,7 @@ void TryPixels(Trial* trial) {
   }
   for (int dy = -kShiftSteps; dy <= kShiftSteps; ++dy) {
     for (int dx = -kShiftSteps; dx <= kShiftSteps; ++dx) {
+      if (dx == 0 && dy == 0) continue;
       const Eigen::Vector2d share = kShiftStep * Eigen::Vector2d(dx, dy);
       trial->Try({.kind = Kind::kShifted, .shift_px = share},
                  [=](const SeenPlace& place, const View& view, const DepthImage&) {

@@ -12,9 +12,6 @@ constexpr size_t kMaxPlaces = 1000;
 // Depths fit if they agree by so much beyond chance, or nearly everywhere: before a wall, depths of
 // another image are right, too.
 constexpr double kMinBeyondChance = 0.4, kMinNear = 0.8;
-// Those of a view alone, which varies more; it has enough places from the last on.
-constexpr double kMinBeyondChanceOfView = 0.25;
-constexpr size_t kEnoughPlaces = 50;
 // Chance is that of so many other places for each.
 constexpr size_t kNumOthers = 4;
 
@@ -70,11 +67,6 @@ DepthAgreement Pooled(const std::vector<DepthAgreement>& of_views) {
   }
   Divide(&sum);
   return sum;
-}
-
-bool FitsView(const DepthAgreement& agreement) {
-  return agreement.num_known < kEnoughPlaces || agreement.near >= kMinNear ||
-         agreement.BeyondChance() >= kMinBeyondChanceOfView;
 }
 
 bool FitsOverall(const DepthAgreement& agreement) {

@@ -24,12 +24,13 @@ struct DepthAgreement {
   double BeyondChance() const { return chance < 1 ? (near - chance) / (1 - chance) : 0; }
 };
 
+// With fewer, a view is not doubted alone.
+constexpr size_t kEnoughPlaces = 50;
+
 // The mean of all, by their numbers of places.
 DepthAgreement Pooled(const std::vector<DepthAgreement>& of_views);
 
-// Whether the depths of a view, or those of all, are those of the drawing
-// (algorithm/dense.md#trust). A view alone is doubted only if it has enough places.
-bool FitsView(const DepthAgreement& agreement);
+// Whether depths are those of the drawing (algorithm/dense.md#trust).
 bool FitsOverall(const DepthAgreement& agreement);
 
 // A place of the drawing as a view sees it.

@@ -1,63 +1,96 @@
 #include "limn/dense/depth_trust.h"
 
+#include <algorithm>
 #include <optional>
+
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
 
 // Of the cells around the drawing: stereo that finds fewer depths has found nothing.
 constexpr double kMinKnownShare = 0.05;
+// Depths of a view do not fit if they agree, beyond chance, by less than the first, or than this
+// share of what is usual; unless they are near the drawing nearly everywhere.
+constexpr double kMinBeyondChanceOfView = 0.25, kMinShareOfUsual = 0.6, kNearEverywhere = 0.8;
 // If those of more views do not fit, those of the others may by chance.
 constexpr double kMaxUnfitShare = 0.5;
 
-}  // namespace
+bool CanBeDoubted(const DepthAgreement& agreement) { return agreement.num_known >= kEnoughPlaces; }
 
-DepthJudge::DepthJudge(const SurelySeen& seen, const std::vector<View>& views,
-                       const DepthSource& depths, bool are_separate, const DenseOptions& options)
-    : seen_(seen),
-      views_(views),
-      depths_(depths),
-      are_separate_(are_separate),
-      options_(options) {}
-
-bool DepthJudge::FitsAlone(const DepthAgreement& agreement) const {
-  return !are_separate_ || FitsView(agreement);
+double UsualAgreement(const std::vector<ViewAgreement>& agreements) {
+  std::vector<double> beyond_chance;
+  for (const auto& [view, agreement] : agreements) {
+    if (CanBeDoubted(agreement)) beyond_chance.push_back(agreement.BeyondChance());
+  }
+  return Median(beyond_chance);
 }
 
-DepthSource DepthJudge::FittingDepths() {
-  return [this](ViewId view) -> std::optional<DepthImage> {
-    std::optional<DepthImage> image = depths_(view);
-    if (!image) return image;
-    looked_at_.push_back({view, Agreement(seen_.In(view), views_[view], *image, options_)});
-    if (!FitsAlone(looked_at_.back().agreement)) return std::nullopt;
+DepthAgreement PooledOf(const std::vector<ViewAgreement>& agreements,
+                        const std::vector<ViewId>& without) {
+  std::vector<DepthAgreement> pooled;
+  for (const auto& [view, agreement] : agreements) {
+    if (!std::binary_search(without.begin(), without.end(), view)) pooled.push_back(agreement);
+  }
+  return Pooled(pooled);
+}
+
+std::vector<ViewId> UnfitViews(const std::vector<ViewAgreement>& agreements) {
+  const double least =
+      std::max(kMinBeyondChanceOfView, kMinShareOfUsual * UsualAgreement(agreements));
+  std::vector<ViewId> unfit;
+  for (const auto& [view, agreement] : agreements) {
+    const bool fits = !CanBeDoubted(agreement) || agreement.near >= kNearEverywhere ||
+                      agreement.BeyondChance() >= least;
+    if (!fits) unfit.push_back(view);
+  }
+  std::sort(unfit.begin(), unfit.end());
+  return unfit;
+}
+
+}  // namespace
+
+DepthSource Watched(const DepthSource& depths, const SurelySeen& seen,
+                    const std::vector<View>& views, const DenseOptions& options,
+                    std::vector<ViewAgreement>* agreements) {
+  return [&depths, &seen, &views, options, agreements](ViewId view) {
+    std::optional<DepthImage> image = depths(view);
+    if (image) {
+      agreements->push_back({view, Agreement(seen.In(view), views[view], *image, options)});
+    }
     return image;
   };
 }
 
-DepthTrust DepthJudge::Conclude() const {
+DepthSource Without(const std::vector<ViewId>& views, const DepthSource& depths) {
+  return [&views, &depths](ViewId view) -> std::optional<DepthImage> {
+    if (std::binary_search(views.begin(), views.end(), view)) return std::nullopt;
+    return depths(view);
+  };
+}
+
+DepthTrust JudgeDepths(const std::vector<ViewAgreement>& agreements, bool are_separate) {
   DepthTrust trust;
-  std::vector<DepthAgreement> all, fitting;
-  std::vector<ViewId> with_places;
-  for (const OfView& of_view : looked_at_) {
-    all.push_back(of_view.agreement);
-    if (of_view.agreement.num_known > 0) with_places.push_back(of_view.view);
-    if (FitsAlone(of_view.agreement)) {
-      fitting.push_back(of_view.agreement);
-    } else {
-      trust.unfit.push_back(of_view.view);
-    }
-  }
-  trust.num_views = looked_at_.size();
-  trust.agreement = Pooled(all);
+  trust.num_views = agreements.size();
+  trust.agreement = PooledOf(agreements, {});
   if (trust.agreement.num_places == 0) return trust;
   trust.has_few_depths = trust.agreement.known < kMinKnownShare;
+  if (are_separate) trust.unfit = UnfitViews(agreements);
   const bool most_fit = static_cast<double>(trust.unfit.size()) <=
-                        kMaxUnfitShare * static_cast<double>(with_places.size());
-  trust.is_believed = !trust.has_few_depths && most_fit && FitsOverall(Pooled(fitting));
-  if (trust.has_few_depths) return trust;
-  trust.cause = FindDepthCause(trust.is_believed ? trust.unfit : with_places, seen_, views_,
-                               depths_, options_);
+                        kMaxUnfitShare * static_cast<double>(agreements.size());
+  trust.is_believed =
+      !trust.has_few_depths && most_fit && FitsOverall(PooledOf(agreements, trust.unfit));
+  if (trust.is_believed) return trust;
+  trust.unfit.clear();
+  for (const auto& [view, agreement] : agreements) trust.unfit.push_back(view);
+  std::sort(trust.unfit.begin(), trust.unfit.end());
   return trust;
+}
+
+void ExplainDoubts(const SurelySeen& seen, const std::vector<View>& views,
+                   const DepthSource& depths, const DenseOptions& options, DepthTrust* trust) {
+  if (trust->has_few_depths) return;
+  trust->cause = FindDepthCause(trust->unfit, seen, views, depths, options);
 }
 
 }  // namespace limn

@@ -47,11 +47,19 @@ FusionResult FuseDrawing(const FusionInput& input, const DenseOptions& options,
   result.graph = input.graph;
   result.samples = SampleDrawing(input.graph, input.views, options.sample_spacing_px);
   const SurelySeen seen(input.graph, result.samples, input.views);
-  DepthJudge judge(seen, input.views, input.depths, input.depths_are_separate, options);
+  std::vector<ViewAgreement> agreements;
   std::vector<SampleSupport> support =
-      FindSampleSupport(result.samples, input.views, judge.FittingDepths(), options, context);
-  result.trust = judge.Conclude();
-  if (!result.trust.is_believed) support.assign(support.size(), {});
+      FindSampleSupport(result.samples, input.views,
+                        Watched(input.depths, seen, input.views, options, &agreements), options,
+                        context);
+  result.trust = JudgeDepths(agreements, input.depths_are_separate);
+  ExplainDoubts(seen, input.views, input.depths, options, &result.trust);
+  if (!result.trust.is_believed) {
+    support.assign(support.size(), {});
+  } else if (!result.trust.unfit.empty()) {
+    support = FindSampleSupport(result.samples, input.views,
+                                Without(result.trust.unfit, input.depths), options, context);
+  }
   result.classes = ClassifyLinks(input.graph, result.samples, support,
                                  NearDense(input, result.samples, support, options), options);
   for (size_t l = 0; l < result.graph.links.size(); ++l) {

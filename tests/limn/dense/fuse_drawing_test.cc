@@ -213,20 +213,18 @@ TEST(FuseDrawing, HardlyAnyDepthsJudgeNothing) {
 
 TEST(FuseDrawing, DepthsOfOtherViewsAreNotUsed) {
   const auto num_views = static_cast<ViewId>(testing::PlateViews().size());
-  const DrawingGraph graph = PlateDrawing();
   const DepthSource plate = testing::PlateDepths();
-  const auto fuse = [&](ViewId num_exchanged) {
-    const DepthSource exchanged = [=](ViewId view) {
-      return plate(view < num_exchanged ? (view + 1) % num_exchanged : view);
-    };
-    return FuseDrawing({testing::PlateViews(), graph, exchanged, true, std::nullopt}, {}, {});
-  };
-  const FusionResult all = fuse(num_views);
+  const FusionResult all = FuseWith(
+      [&](ViewId view, DepthImage* image) { *image = *plate((view + 1) % num_views); });
   ExpectNothingIsJudged(all);
   EXPECT_EQ(all.trust.cause.kind, DepthCause::Kind::kOtherViews);
-  EXPECT_EQ(all.trust.cause.depths_of, (all.trust.cause.fit_view + num_views - 1) % num_views);
-  const FusionResult some = fuse(3);
+  const ViewId depths_of = all.trust.cause.depths_of, fit_view = all.trust.cause.fit_view;
+  EXPECT_EQ((depths_of + 1) % num_views, fit_view);
+  const FusionResult some = FuseWith([](ViewId view, DepthImage* image) {
+    for (float& depth : image->depth) depth *= view < 3 ? 1.3F : 1.0F;
+  });
   EXPECT_TRUE(some.trust.is_believed);
+  EXPECT_EQ(some.trust.cause.kind, DepthCause::Kind::kFactor);
   EXPECT_THAT(some.trust.unfit, ::testing::ElementsAre(0, 1, 2));
   EXPECT_EQ(some.classes.links[kPaint].dense_class, DenseClass::kSurface);
   EXPECT_EQ(some.classes.links[kRim].dense_class, DenseClass::kBoundary);
