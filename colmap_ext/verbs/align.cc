@@ -196,7 +196,8 @@ void SayPositions(const AlignmentResult& result, const ViewSet& set, Console* co
                Percent(fit.scale_error));
   const std::vector<NamedNumber> far = FarPositions(result, set);
   if (!far.empty()) {
-    console->Say("WARNING: positions far from their cameras are left out: " + ListNumbers(far, "m"));
+    console->Say("WARNING: positions far from their cameras are left out: " +
+                 ListNumbers(far, "m"));
   }
 }
 

@@ -43,8 +43,9 @@ class SceneAligner {
 
   // Says how it was found. `views`, which the drawing fits, and the graph are relative to the
   // scene's origin; the alignment is of the model's coordinates. Nothing if none is asked for.
-  // Throws OptionError for known lengths that the graph does not have or that contradict each other,
-  // and IoError for positions that contradict the cameras, gravity or known lengths, if these fail.
+  // Throws OptionError for known lengths that the graph does not have or that contradict each
+  // other, and IoError for positions that contradict the cameras, gravity or known lengths, if
+  // these fail.
   std::optional<Alignment> Align(const std::vector<View>& views, const DrawingGraph& graph,
                                  Console* console) const;
 

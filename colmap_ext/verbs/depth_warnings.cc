@@ -8,16 +8,15 @@ namespace {
 
 std::string WholePercent(double share) { return RoundedText(100 * share, 0) + " %"; }
 
-std::string NameOf(DenseKind kind) {
+std::string NotThose(DenseKind kind) {
   switch (kind) {
     case DenseKind::kDepthMaps:
-      return "depth maps";
+      return "the depth maps are not those of the drawing";
     case DenseKind::kFusedCloud:
-      return "points";
     case DenseKind::kPmvs:
-      return "patches";
+      return "the points are not those of the drawing";
     case DenseKind::kMesh:
-      return "mesh";
+      return "the mesh is not that of the drawing";
   }
   return "";
 }
@@ -49,14 +48,13 @@ std::string CauseText(const DepthCause& cause, DenseKind kind, const std::vector
   }
   return kind == DenseKind::kDepthMaps
              ? "they may be noise, or of another scene or other cameras"
-             : "it may be of another scene, in other coordinates, or made with other cameras";
+             : "perhaps of another scene, in other coordinates, or made with other cameras";
 }
 
 std::string WayOut(const DepthTrust& trust) {
   return trust.is_believed ? "" : "; make them again from this model, or name others: --dense_path";
 }
 
-// "6 % of its places that images show are at a depth there, and 5 % would be by chance".
 std::string AgreementText(const DepthAgreement& agreement) {
   return WholePercent(agreement.near) + " of what images show of it is at the depths there (" +
          WholePercent(agreement.chance) + " would be by chance)";
@@ -68,23 +66,24 @@ std::string DepthWarning(const DepthTrust& trust, const DenseProducts& products,
                          const std::vector<View>& views) {
   const std::string path = products.path.string() + ": ";
   if (trust.has_few_depths) {
-    return path + "the " + NameOf(products.kind) + " tell a depth at only " +
-           RoundedText(100 * trust.agreement.known, 1) +
+    return path + "a depth is known at only " + RoundedText(100 * trust.agreement.known, 1) +
            " % of what images show of the drawing, so no link is judged: stereo found next to "
-           "nothing, or they are of another scene" + WayOut(trust);
+           "nothing, or it is of another scene" +
+           WayOut(trust);
   }
   if (!trust.is_believed) {
-    return path + "the " + NameOf(products.kind) + " are not those of the drawing, so no link is "
-           "judged: " + AgreementText(trust.agreement) + "; " +
+    return path + NotThose(products.kind) +
+           ", so no link is judged: " + AgreementText(trust.agreement) + "; " +
            CauseText(trust.cause, products.kind, views) + WayOut(trust);
   }
   if (trust.unfit.empty()) return "";
   std::vector<std::string> names;
   for (const ViewId view : trust.unfit) names.push_back(views[view].name);
   return path + "the depth maps of " + std::to_string(names.size()) + " of " +
-         std::to_string(trust.num_views) + " images are not used, since the drawing is not at "
-         "their depths: " + ListNames(names) + "; " +
-         CauseText(trust.cause, products.kind, views);
+         std::to_string(trust.num_views) +
+         " images are not used, since the drawing is not at "
+         "their depths: " +
+         ListNames(names) + "; " + CauseText(trust.cause, products.kind, views);
 }
 
 }  // namespace limn::colmap_ext

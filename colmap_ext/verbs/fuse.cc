@@ -129,10 +129,10 @@ DrawingInScene FuseVerb::Apply(const Job& job, const DrawingInScene& given) {
     throw InputError("fuse: dense results belong to a project, not to a scene in memory");
   }
   dense_ = OpenDenseInput(job.scene, paths_, job.options.layout.workspace_path, job.console);
-  FusionResult result = FuseDrawing({given.views, given.graph, dense_.depths,
-                                     dense_.products.kind == DenseKind::kDepthMaps,
-                                     dense_.cloud ? std::optional(dense_.points) : std::nullopt},
-                                    job.options.dense, job.context());
+  FusionResult result = FuseDrawing(
+      {given.views, given.graph, dense_.depths, dense_.products.kind == DenseKind::kDepthMaps,
+       dense_.cloud ? std::optional(dense_.points) : std::nullopt},
+      job.options.dense, job.context());
   job.console->Report(result.summary);
   const std::string warning = DepthWarning(result.trust, dense_.products, given.views);
   if (!warning.empty()) job.console->Say("WARNING: " + warning);

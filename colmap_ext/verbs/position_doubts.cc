@@ -24,9 +24,8 @@ std::vector<NamedNumber> PositionsBeyond(const AlignmentResult& result, double s
       far.push_back({set.ImageName(result.positioned[i]), fit.residuals[i]});
     }
   }
-  std::stable_sort(far.begin(), far.end(), [](const NamedNumber& a, const NamedNumber& b) {
-    return a.number > b.number;
-  });
+  std::stable_sort(far.begin(), far.end(),
+                   [](const NamedNumber& a, const NamedNumber& b) { return a.number > b.number; });
   return far;
 }
 
@@ -64,17 +63,16 @@ std::string LengthsText(const AlignmentResult& result, const std::vector<KnownLe
   for (const KnownLength& length : lengths) texts.push_back("\"" + length.text + "\"");
   const PositionFit& fit = *result.positions;
   return "positions of " + std::to_string(result.positioned.size()) +
-         " cameras contradict the known length " + ListNames(texts) +
-         ": a unit of the model is " + Meters(fit.target_from_source.scale) +
-         " by them (standard error " + ShortNumber(100 * fit.scale_error) + " %) and " +
-         Meters(result.lengths->scale) + " by it; positions must be in meters";
+         " cameras contradict the known length " + ListNames(texts) + ": a unit of the model is " +
+         Meters(fit.target_from_source.scale) + " by them (standard error " +
+         ShortNumber(100 * fit.scale_error) + " %) and " + Meters(result.lengths->scale) +
+         " by it; positions must be in meters";
 }
 
 }  // namespace
 
 std::vector<NamedNumber> FarPositions(const AlignmentResult& result, const ViewSet& set) {
-  return PositionsBeyond(result, kFarTimesTypical * result.positions->typical_scaled_residual,
-                         set);
+  return PositionsBeyond(result, kFarTimesTypical * result.positions->typical_scaled_residual, set);
 }
 
 std::string PositionDoubtText(const AlignmentResult& result,
@@ -93,12 +91,13 @@ std::string PositionDoubtText(const AlignmentResult& result,
              Residuals(result, "stretched by " + StretchText(result.position_check.stretch));
     case PositionDoubt::kAnyOrder:
       return begin + "they fit within " + Meters(result.positions->median_residual) +
-             " (median), no better than in another order: they are of other images, or many are wrong; "
-             "farthest are " + ListNumbers(PositionsBeyond(result, -1, set), "m");
+             " (median), no better than in another order: they are of other images, many are wrong, "
+             "or their errors are as large as the distances of the cameras; farthest are " +
+             ListNumbers(PositionsBeyond(result, -1, set), "m");
     case PositionDoubt::kManyWrong:
       return begin + std::to_string(result.positions->num_rejected) + " of " +
-             std::to_string(result.positioned.size()) + " contradict the others: " +
-             ListNumbers(FarPositions(result, set), "m");
+             std::to_string(result.positioned.size()) +
+             " contradict the others: " + ListNumbers(FarPositions(result, set), "m");
     case PositionDoubt::kGravity:
       return GravityText(result);
     case PositionDoubt::kUpsideDown:

@@ -44,7 +44,8 @@ bool MayBegin(const fs::path& path, const std::array<unsigned char, kSize>& magi
                                        ": a program is writing to the database, or was stopped "
                                        "while it did; close it, or if none runs let sqlite3 finish "
                                        "its work: sqlite3 " +
-                                       database.string() + " \"PRAGMA wal_checkpoint; SELECT "
+                                       database.string() +
+                                       " \"PRAGMA wal_checkpoint; SELECT "
                                        "count(*) FROM sqlite_master\"");
 }
 

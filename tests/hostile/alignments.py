@@ -170,19 +170,20 @@ def known_lengths(folder, count, scale, chooser):
 
 
 def run_with(options_of):
+    """The drawing, which known lengths name, is there only when the case is run."""
     def run(program, folder):
-        chooser = hostile.chooser_of('alignments', str(folder.name), 0)
-        arguments = ['drawing_aligner', '--workspace_path', f'{folder}/ws', '--output_path', f'{folder}/out',
-                     '--num_threads', '2', '--database_path', f'{folder}/ws/database.db', *options_of(folder, chooser)]
-        if not (folder / 'ws' / 'database.db').exists():
-            arguments = arguments[:-2 - len(options_of(folder, chooser))] + options_of(folder, chooser)
-        return program.call(arguments, folder, 20)[:3]
+        options = options_of(folder, hostile.chooser_of('alignments', folder.name, 0))
+        database = folder / 'ws' / 'database.db'
+        if database.exists():
+            options = options + ['--database_path', str(database)]
+        return program.call(['drawing_aligner', '--workspace_path', f'{folder}/ws', '--output_path', f'{folder}/out',
+                             '--num_threads', '2', *options], folder, 20)[:3]
     return run
 
 
 def lengths_case(world, chooser):
     count, is_wrong = chooser.randint(2, 4), chooser.random() < 0.6
-    factor = chooser.choice([0.1, 0.7, 0.85, 1.2, 2, 25.4]) if is_wrong else 1
+    factor = chooser.choice([0.1, 0.6, 1.6, 2, 25.4]) if is_wrong else 1
     unit, meters = chooser.choice([('mm', 0.001), ('cm', 0.01), ('m', 1), ('in', 0.0254), ('ft', 0.3048)])
 
     def options(folder, of_case):
@@ -194,35 +195,58 @@ def lengths_case(world, chooser):
     return name, options, is_wrong
 
 
+def units_case(world, chooser):
+    factor = chooser.choice([0.3048, 0.01, 1000, 3])
+    points = in_world(centers(), world.scale / factor, world.heading, [0, 0, 0], 0.002 * world.scale / factor, chooser)
+
+    def options(folder, of_case):
+        (text, length), = known_lengths(folder, 1, world.scale, of_case)
+        return ['--known_length', f'{text} = {length:.6g} m']
+    return f'positions in units of {factor} m, and a known length', {'positions': points}, options
+
+
+def no_options(folder, chooser):
+    return []
+
+
+def prepare_with(world, priors):
+    """Without priors: a database with a journal, or None: none."""
+    def prepare(folder, chooser):
+        database = folder / 'ws' / 'database.db'
+        if priors == 'journal':
+            leave_journal(database, world, chooser)
+        elif priors:
+            write_priors(database, **priors)
+    return prepare
+
+
+def make_case(world, chooser):
+    """(name, what `prepare_with` takes, options, images with wrong positions, whether it contradicts itself)"""
+    kind = chooser.choice(['consistent'] * 3 + ['contradicting'] * 4 + ['lengths'] * 2 + ['units', 'journal'])
+    if kind == 'consistent':
+        name, priors, far = consistent(world, chooser)
+        return name, priors, no_options, far, False
+    if kind == 'contradicting':
+        name, priors = contradicting(world, chooser)
+        return name, priors, no_options, [], True
+    if kind == 'lengths':
+        name, options, is_wrong = lengths_case(world, chooser)
+        return name, None, options, [], is_wrong
+    if kind == 'units':
+        name, priors, options = units_case(world, chooser)
+        return name, priors, options, [], True
+    return 'unfinished changes', 'journal', no_options, [], True
+
+
 def cases(seed, count):
     for index in range(count):
         chooser = hostile.chooser_of('alignments', seed, -index - 1)
         world = World(chooser)
-        data = {'world': world.scale, 'far': []}
-        kind = chooser.choice(['consistent'] * 3 + ['contradicting'] * 4 + ['lengths'] * 2 + ['units', 'journal'])
-        options, priors, names = (lambda folder, of_case: []), None, ['database.db']
-        prepare = lambda folder, of_case: None
-        if kind == 'consistent':
-            name, priors, data['far'] = consistent(world, chooser)
-        elif kind == 'contradicting':
-            name, priors = contradicting(world, chooser)
-        elif kind == 'lengths':
-            name, options, is_wrong = lengths_case(world, chooser)
-            kind, names = ('contradicting' if is_wrong else 'consistent'), ['known_length = ']
-        elif kind == 'units':
-            factor = chooser.choice([0.3048, 0.01, 1000, 3])
-            name, priors, kind = f'positions in units of {factor} m, and a known length', {
-                'positions': in_world(centers(), world.scale / factor, world.heading, [0, 0, 0],
-                                      0.002 * world.scale / factor, chooser)}, 'contradicting'
-            options = lambda folder, of_case: ['--known_length', ' = '.join(
-                f'{text} = {length:.6g} m' for text, length in known_lengths(folder, 1, world.scale, of_case))]
-        else:
-            name, kind = 'unfinished changes', 'contradicting'
-            prepare = lambda folder, of_case: leave_journal(folder / 'ws' / 'database.db', world, of_case)
-        if priors is not None:
-            prepare = lambda folder, of_case, priors=priors: write_priors(folder / 'ws' / 'database.db', **priors)
-        yield hostile.Case(name, prepare, [], names=names, codes=(0, 1), drawn=True, run=run_with(options),
-                           data={**data, 'kind': kind, 'may_fit': name == 'another order'})
+        name, priors, options, far, contradicts = make_case(world, chooser)
+        yield hostile.Case(name, prepare_with(world, priors), [], codes=(0, 1), drawn=True, run=run_with(options),
+                           names=['database.db'] if priors else ['known_length = '],
+                           data={'world': world.scale, 'far': far, 'contradicts': contradicts,
+                                 'may_fit': name == 'another order'})
 
 
 def told_scale(folder, output):
@@ -246,7 +270,7 @@ def check(case, outcome):
     broken = hostile.check(case, outcome)
     if broken:
         return broken
-    if case.data['kind'] == 'contradicting':
+    if case.data['contradicts']:
         if outcome.code == 0:
             # Some orders fit as well: then at least the scale is right.
             broken += check_scale(case, outcome) if case.data['may_fit'] else ['a contradiction passes']

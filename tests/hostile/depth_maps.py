@@ -142,7 +142,7 @@ def check(case, outcome):
     expected = case.data['expected']
     warnings = [line for line in outcome.warnings() if 'stereo: ' in line]
     near, unknown = share_judged(outcome.folder)
-    if expected == 'judged' and (warnings or near < 0.5):
+    if expected == 'judged' and (warnings or near < 0.3):
         broken.append(f'{near:.2f} of the drawing on a surface, {len(warnings)} warnings')
     if expected == 'not judged' and (unknown < 1 or not any('no link is judged' in line for line in warnings)):
         broken.append(f'{1 - unknown:.2f} of the drawing is judged, {len(warnings)} warnings')

@@ -117,8 +117,8 @@ void CheckUpOfPositions(const AlignmentInput& input, AlignmentResult* result) {
 }
 
 void CheckScaleOfPositions(AlignmentResult* result) {
-  const bool both = result->lengths && result->positions &&
-                    result->position_check.doubt == PositionDoubt::kNone;
+  const bool both =
+      result->lengths && result->positions && result->position_check.doubt == PositionDoubt::kNone;
   if (!both || !(result->positions->scale_error < kMaxScaleError)) return;
   const double by_lengths = result->lengths->scale;
   const double by_positions = result->positions->target_from_source.scale;

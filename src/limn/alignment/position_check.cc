@@ -175,8 +175,12 @@ std::optional<PositionCheck> BetterSimilarity(PositionDoubt doubt, const Positio
   return PositionCheck{doubt, other_fit->median_residual, Eigen::Vector3d::Ones()};
 }
 
-std::optional<PositionCheck> BetterStretch(const std::vector<PointPair>& pairs,
+std::optional<PositionCheck> BetterStretch(const std::vector<PointPair>& all,
                                            const PositionFit& fit, double much_better) {
+  std::vector<PointPair> pairs;
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (fit.is_rejected[i] == 0) pairs.push_back(all[i]);
+  }
   if (pairs.size() < kMinPairsOfLinear) return std::nullopt;
   const LinearMap map = FitLinearRobustly(pairs);
   const double typical = TypicalOfLinear(ScaledDistances(pairs, fit.target_from_source));

@@ -203,6 +203,7 @@ std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs) {
   fit.scaled_residuals = ScaledResiduals(pairs, fit.target_from_source);
   fit.median_residual = Median(fit.residuals);
   fit.typical_scaled_residual = TypicalResidual(fit.scaled_residuals, num_wrong);
+  for (const double weight : weights) fit.is_rejected.push_back(weight == 0 ? 1 : 0);
   fit.num_rejected = static_cast<size_t>(std::count(weights.begin(), weights.end(), 0.0));
   SetErrors(pairs, weights, &fit);
   return fit;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -25,7 +26,8 @@ struct PositionFit {
   // The one of these that separates noise from wrong pairs: the median, or a larger one if there
   // are few pairs (see FitPositions).
   double typical_scaled_residual = 0;
-  // Pairs without a say in the fit, since they are wrong.
+  // Per pair 1 if it has no say in the fit, since it is wrong; and their number.
+  std::vector<uint8_t> is_rejected;
   size_t num_rejected = 0;
   // Standard errors: of the direction of the target's z axis, of the direction of its x axis around
   // z (pi where pairs on a line leave it open), and of the scale, relative.

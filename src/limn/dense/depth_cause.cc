@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include "limn/dense/depth_tolerance.h"
@@ -36,11 +35,8 @@ std::vector<Examined> Examine(const std::vector<ViewId>& unfit, const SurelySeen
   for (size_t u = 0; u < with_places.size(); u += every) {
     auto image = depths(with_places[u]);
     if (!image) continue;
-    std::vector<SeenPlace> places;
-    const std::vector<SeenPlace> all = seen.In(with_places[u]);
-    const size_t step = (all.size() + kMaxPlacesOfEach - 1) / kMaxPlacesOfEach;
-    for (size_t p = 0; p < all.size(); p += step) places.push_back(all[p]);
-    examined.push_back({with_places[u], std::move(*image), std::move(places)});
+    examined.push_back(
+        {with_places[u], std::move(*image), Thinned(seen.In(with_places[u]), kMaxPlacesOfEach)});
   }
   return examined;
 }
@@ -135,14 +131,13 @@ void TryDepths(const std::vector<Examined>& examined, const std::vector<View>& v
                return SeenPlace{place.pixel, factor * place.depth};
              });
   const double product = std::exp(Mode(log_products, width));
-  trial->Try({.kind = Kind::kInverse},
-             [=](const SeenPlace& place, const View&, const DepthImage&) {
-               return SeenPlace{place.pixel, product / place.depth};
-             });
-  trial->Try({.kind = Kind::kRays}, [](const SeenPlace& place, const View& view,
-                                       const DepthImage&) {
-    return SeenPlace{place.pixel, place.depth * view.camera.RayFromPixel(place.pixel).norm()};
+  trial->Try({.kind = Kind::kInverse}, [=](const SeenPlace& place, const View&, const DepthImage&) {
+    return SeenPlace{place.pixel, product / place.depth};
   });
+  trial->Try(
+      {.kind = Kind::kRays}, [](const SeenPlace& place, const View& view, const DepthImage&) {
+        return SeenPlace{place.pixel, place.depth * view.camera.RayFromPixel(place.pixel).norm()};
+      });
 }
 
 SeenPlace MirroredIn(const SeenPlace& place, const DepthImage& image, bool left_right,
@@ -173,33 +168,6 @@ void TryPixels(Trial* trial) {
   }
 }
 
-// Whether most of the views are fitted by the depths of others.
-std::optional<DepthCause> FindOtherViews(const std::vector<Examined>& examined,
-                                         const std::vector<View>& views, const DepthSource& depths,
-                                         const DenseOptions& options) {
-  std::vector<DepthAgreement> best(examined.size());
-  std::vector<ViewId> of(examined.size(), -1);
-  for (size_t v = 0; v < views.size(); ++v) {
-    const auto image = depths(static_cast<ViewId>(v));
-    if (!image) continue;
-    for (size_t e = 0; e < examined.size(); ++e) {
-      const DepthAgreement agreement =
-          Agreement(examined[e].places, views[examined[e].view], *image, options);
-      if (!FitsOverall(agreement) || agreement.BeyondChance() <= best[e].BeyondChance()) continue;
-      best[e] = agreement;
-      of[e] = static_cast<ViewId>(v);
-    }
-  }
-  const auto num_found = std::count_if(of.begin(), of.end(), [](ViewId view) { return view >= 0; });
-  if (2 * num_found <= static_cast<std::ptrdiff_t>(examined.size())) return std::nullopt;
-  const auto first = std::find_if(of.begin(), of.end(), [](ViewId view) { return view >= 0; });
-  DepthCause cause;
-  cause.kind = Kind::kOtherViews;
-  cause.depths_of = *first;
-  cause.fit_view = examined[first - of.begin()].view;
-  return cause;
-}
-
 }  // namespace
 
 DepthCause FindDepthCause(const std::vector<ViewId>& unfit, const SurelySeen& seen,
@@ -212,9 +180,6 @@ DepthCause FindDepthCause(const std::vector<ViewId>& unfit, const SurelySeen& se
   TryDepths(examined, views, options, &trial);
   TryPixels(&trial);
   DepthCause cause = trial.found();
-  if (cause.kind == Kind::kUnknown) {
-    return FindOtherViews(examined, views, depths, options).value_or(cause);
-  }
   if (cause.kind == Kind::kShifted) {
     cause.shift_px *= views[examined.front().view].camera.width;
   }

@@ -26,8 +26,8 @@ struct DepthCause {
   ViewId fit_view = -1;
 };
 
-// Examines up to six of the views whose depths do not fit. Requests all depth images at most once
-// more, and holds those of these views. Time: their places times 441 shifts, and times views.
+// Examines up to six of the views whose depths do not fit, and holds their depth images; does not
+// compare them with other views (DepthWatch does). Time: their places times 441 shifts.
 DepthCause FindDepthCause(const std::vector<ViewId>& unfit, const SurelySeen& seen,
                           const std::vector<View>& views, const DepthSource& depths,
                           const DenseOptions& options);

@@ -73,6 +73,13 @@ bool FitsOverall(const DepthAgreement& agreement) {
   return agreement.near >= kMinNear || agreement.BeyondChance() >= kMinBeyondChance;
 }
 
+std::vector<SeenPlace> Thinned(const std::vector<SeenPlace>& places, size_t max_count) {
+  const size_t every = (places.size() + max_count - 1) / max_count;
+  std::vector<SeenPlace> thinned;
+  for (size_t p = 0; p < places.size(); p += every) thinned.push_back(places[p]);
+  return thinned;
+}
+
 SurelySeen::SurelySeen(const DrawingGraph& graph, const DrawingSamples& samples,
                        const std::vector<View>& views)
     : samples_(samples), views_(views), samples_of_view_(views.size()) {
@@ -103,9 +110,8 @@ std::vector<SeenPlace> SurelySeen::In(ViewId view) const {
 
 DepthAgreement Agreement(const std::vector<SeenPlace>& places, const View& view,
                          const DepthImage& image, const DenseOptions& options) {
-  const double tolerance =
-      DepthTolerancePx(options.depth_tolerance_px, image.cell_px.maxCoeff()) /
-      view.camera.MeanFocal();
+  const double tolerance = DepthTolerancePx(options.depth_tolerance_px, image.cell_px.maxCoeff()) /
+                           view.camera.MeanFocal();
   DepthAgreement agreement;
   std::vector<Surroundings> known;
   for (const SeenPlace& place : places) {

@@ -39,6 +39,9 @@ struct SeenPlace {
   double depth = 0;
 };
 
+// Evenly spread, up to so many.
+std::vector<SeenPlace> Thinned(const std::vector<SeenPlace>& places, size_t max_count);
+
 // The places that each view surely sees: samples of links that it supports, without tentative ones
 // and outlines; up to 1000 a view, evenly spread. Linear time.
 class SurelySeen {

@@ -47,13 +47,13 @@ FusionResult FuseDrawing(const FusionInput& input, const DenseOptions& options,
   result.graph = input.graph;
   result.samples = SampleDrawing(input.graph, input.views, options.sample_spacing_px);
   const SurelySeen seen(input.graph, result.samples, input.views);
-  std::vector<ViewAgreement> agreements;
+  DepthWatch watch(seen, input.views, input.depths_are_separate, options);
   std::vector<SampleSupport> support =
-      FindSampleSupport(result.samples, input.views,
-                        Watched(input.depths, seen, input.views, options, &agreements), options,
-                        context);
-  result.trust = JudgeDepths(agreements, input.depths_are_separate);
-  ExplainDoubts(seen, input.views, input.depths, options, &result.trust);
+      FindSampleSupport(result.samples, input.views, watch.Watched(input.depths), options, context);
+  result.trust = watch.Judge();
+  if (input.depths_are_separate) {
+    ExplainDoubts(seen, input.views, input.depths, options, &result.trust);
+  }
   if (!result.trust.is_believed) {
     support.assign(support.size(), {});
   } else if (!result.trust.unfit.empty()) {

@@ -35,8 +35,9 @@ struct FusionResult {
 };
 
 // Compares a drawing with dense results (algorithm/dense.md): visibility of its samples, classes of
-// its links, and the points it adds. Depths that are not those of the drawing judge nothing. Throws OptionError and Cancelled, and whatever the sources
-// throw. Time: samples times views, and one pass over the cloud.
+// its links, and the points it adds. Depths that are not those of the drawing judge nothing. Throws
+// OptionError and Cancelled, and whatever the sources throw. Time: samples times views, and one
+// pass over the cloud.
 FusionResult FuseDrawing(const FusionInput& input, const DenseOptions& options,
                          const RunContext& context);
 

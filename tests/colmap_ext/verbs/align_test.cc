@@ -211,10 +211,9 @@ TEST_F(AlignmentRun, PositionsThatContradictSomethingAreNamed) {
     options.contradictions_fail = fails;
     const size_t num_warnings = console_.log().warnings.size();
     if (fails) {
-      EXPECT_THAT([&] { AlignWith(options); }, ThrowsMessage<IoError>(AllOf(
-                                                   HasSubstr(Database() + ": positions of "),
-                                                   HasSubstr(text),
-                                                   HasSubstr("--use_positions 0"))));
+      EXPECT_THAT([&] { AlignWith(options); },
+                  ThrowsMessage<IoError>(AllOf(HasSubstr(Database() + ": positions of "),
+                                               HasSubstr(text), HasSubstr("--use_positions 0"))));
       options.use_positions = false;
       EXPECT_EQ(AlignWith(options).scale, ScaleSource::kNone);
       return;
@@ -300,7 +299,8 @@ TEST_F(AlignmentRun, PositionsAreFarByTheirAccuracy) {
   fs::remove(Database());
   WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
   ExpectTruth(Align());
-  EXPECT_THAT(console_.log().warnings, ElementsAre(HasSubstr("far from their cameras are left out: 5.png (")));
+  EXPECT_THAT(console_.log().warnings,
+              ElementsAre(HasSubstr("far from their cameras are left out: 5.png (")));
 }
 
 TEST_F(AlignmentRun, PanoramasCountOnceEach) {
@@ -322,8 +322,9 @@ TEST_F(AlignmentRun, PanoramasCountOnceEach) {
   ExpectTruth(alignment);
   EXPECT_THAT(console_.text(), AllOf(HasSubstr("positions of 8 and gravity of 7 of 8 images\n"),
                                      HasSubstr("the gravity that 7 cameras measured")));
-  EXPECT_THAT(console_.log().warnings,
-              ElementsAre(AllOf(HasSubstr("far from their cameras are left out: 4.png"), HasSubstr(" m"))));
+  EXPECT_THAT(
+      console_.log().warnings,
+      ElementsAre(AllOf(HasSubstr("far from their cameras are left out: 4.png"), HasSubstr(" m"))));
 }
 
 TEST_F(AlignmentRun, ADatabaseThatWasFoundDoesNotStopIt) {

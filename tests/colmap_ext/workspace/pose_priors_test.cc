@@ -140,8 +140,9 @@ TEST_F(PosePriorsTest, UnfinishedChangesAreNamed) {
   WriteDatabase(path_, DatabaseVersion::k4_1, {{"a", {1, 2, 3}, 1}});
   const auto fails_with = [&](const std::string& name, const std::string& bytes) {
     const std::string beside = dir_.WriteFile(name, bytes);
-    EXPECT_THAT(ErrorOf(path_), AllOf(StartsWith(path_ + ": " + beside),
-                                      HasSubstr("sqlite3 " + path_))) << name;
+    EXPECT_THAT(ErrorOf(path_),
+                AllOf(StartsWith(path_ + ": " + beside), HasSubstr("sqlite3 " + path_)))
+        << name;
     std::filesystem::create_symlink(path_, dir_ / "link.db");
     EXPECT_THAT(ErrorOf((dir_ / "link.db").string()), HasSubstr(beside));
     std::filesystem::remove(dir_ / "link.db");

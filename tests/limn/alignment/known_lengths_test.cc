@@ -64,17 +64,23 @@ TEST(KnownLengths, ThatContradictEachOtherAreNamed) {
   const auto fit = [&](const std::vector<std::string>& texts) {
     return FitLengths(graph, ParseKnownLengths(texts));
   };
-  EXPECT_THAT([&] { fit({"link 0 = 10 m", "link 4 = 9 m"}); },
-              ThrowsMessage<OptionError>(
-                  "known_length = link 0 = 10 m: contradicts \"link 4 = 9 m\": a unit of the drawing "
-                  "is 2 m by the one and 2.25 m by the other, 12.5 % apart; measure both again, or "
-                  "leave one out"));
+  EXPECT_THAT(
+      [&] {
+        fit({"link 0 = 10 m", "link 4 = 9 m"});
+      },
+      ThrowsMessage<OptionError>(
+          "known_length = link 0 = 10 m: contradicts \"link 4 = 9 m\": a unit of the drawing "
+          "is 2 m by the one and 2.25 m by the other, 12.5 % apart; measure both again, or "
+          "leave one out"));
   EXPECT_THROW(fit({"link 0 = 10 m", "link 0 = 12 m"}), OptionError);
   // The other two agree with one of them.
-  EXPECT_THAT([&] { fit({"link 1 = 10 m", "link 0 = 10.1 m", "link 4 = 16 m", "link 2 = 10 m"}); },
-              ThrowsMessage<OptionError>(::testing::AllOf(
-                  HasSubstr("contradicts \"link 4 = 16 m\""),
-                  HasSubstr("(2 of the others agree with \"link 1 = 10 m\")"))));
+  EXPECT_THAT(
+      [&] {
+        fit({"link 1 = 10 m", "link 0 = 10.1 m", "link 4 = 16 m", "link 2 = 10 m"});
+      },
+      ThrowsMessage<OptionError>(
+          ::testing::AllOf(HasSubstr("contradicts \"link 4 = 16 m\""),
+                           HasSubstr("(2 of the others agree with \"link 1 = 10 m\")"))));
 }
 
 TEST(KnownLengths, OfUncertainLinksMayDiffer) {

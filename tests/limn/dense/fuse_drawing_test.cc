@@ -25,8 +25,8 @@ DrawingGraph PlateDrawing() {
 
 const FusionResult& Fused() {
   static const DrawingGraph graph = PlateDrawing();
-  static const FusionResult result =
-      FuseDrawing({testing::PlateViews(), graph, testing::PlateDepths(), true, std::nullopt}, {}, {});
+  static const FusionResult result = FuseDrawing(
+      {testing::PlateViews(), graph, testing::PlateDepths(), true, std::nullopt}, {}, {});
   return result;
 }
 
@@ -82,8 +82,8 @@ TEST(FuseDrawing, WithoutOccludedKeepsTheRest) {
 TEST(FuseDrawing, AViewThatIsNotASupporterHasNoSay) {
   DrawingGraph graph = PlateDrawing();
   graph.links[kBelow].supporting_views.clear();
-  const FusionResult result =
-      FuseDrawing({testing::PlateViews(), graph, testing::PlateDepths(), true, std::nullopt}, {}, {});
+  const FusionResult result = FuseDrawing(
+      {testing::PlateViews(), graph, testing::PlateDepths(), true, std::nullopt}, {}, {});
   EXPECT_FALSE(result.classes.links[kBelow].behind_surface);
 }
 
@@ -134,7 +134,8 @@ TEST(FuseDrawing, CloudDecidesWhatIsAdded) {
 TEST(FuseDrawing, EmptyDrawingAndNoDepths) {
   const DrawingGraph empty;
   EXPECT_TRUE(
-      FuseDrawing({testing::PlateViews(), empty, testing::PlateDepths(), true, std::nullopt}, {}, {})
+      FuseDrawing({testing::PlateViews(), empty, testing::PlateDepths(), true, std::nullopt}, {},
+                  {})
           .points.empty());
   const DepthSource nothing = [](ViewId) { return std::nullopt; };
   const DrawingGraph graph = PlateDrawing();
@@ -145,7 +146,8 @@ TEST(FuseDrawing, EmptyDrawingAndNoDepths) {
     EXPECT_EQ(link.dense_class, DenseClass::kUnknown);
   }
   EXPECT_EQ(result.trust.num_views, 0u);
-  EXPECT_TRUE(result.trust.is_believed);
+  EXPECT_FALSE(result.trust.is_believed);
+  EXPECT_TRUE(result.trust.has_few_depths);
 }
 
 // Depths of the plate and the drawing of it, seen by all views, that were changed by this.
@@ -214,8 +216,8 @@ TEST(FuseDrawing, HardlyAnyDepthsJudgeNothing) {
 TEST(FuseDrawing, DepthsOfOtherViewsAreNotUsed) {
   const auto num_views = static_cast<ViewId>(testing::PlateViews().size());
   const DepthSource plate = testing::PlateDepths();
-  const FusionResult all = FuseWith(
-      [&](ViewId view, DepthImage* image) { *image = *plate((view + 1) % num_views); });
+  const FusionResult all =
+      FuseWith([&](ViewId view, DepthImage* image) { *image = *plate((view + 1) % num_views); });
   ExpectNothingIsJudged(all);
   EXPECT_EQ(all.trust.cause.kind, DepthCause::Kind::kOtherViews);
   const ViewId depths_of = all.trust.cause.depths_of, fit_view = all.trust.cause.fit_view;
