@@ -92,7 +92,7 @@ void CurveDrawerController::AddPoints(const Project& project, const DrawingGraph
   spacing.sample_spacing_px = options_.point_spacing_px * project.view_set().TypicalScale();
   const DepthSource no_depths = [](ViewId) { return std::nullopt; };
   std::vector<CurvePoint> points =
-      FuseDrawing({project.views(), Selected(graph, {}), no_depths, std::nullopt}, spacing,
+      FuseDrawing({project.views(), Selected(graph, {}), no_depths, false, std::nullopt}, spacing,
                   console.context())
           .points;
   ColorCurvePoints(project, console.context(), &points);

@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 
 #include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/position_doubts.h"
 #include "colmap_ext/workspace/pose_priors.h"
 #include "limn/alignment/geodetic.h"
 #include "limn/files/atomic_file.h"
@@ -28,9 +29,6 @@ namespace fs = std::filesystem;
 
 // The database of a model may be this many folders above it: W/dense/0/sparse.
 constexpr int kMaxFoldersUp = 3;
-// Positions are named if their residuals, scaled by their accuracies, exceed this many typical
-// ones.
-constexpr double kFarTimesTypical = 5;
 
 // Empty if there is none.
 fs::path FindDatabase(const Scene& scene, const LayoutOptions& layout) {
@@ -51,21 +49,25 @@ fs::path FindDatabase(const Scene& scene, const LayoutOptions& layout) {
   return {};
 }
 
-void WarnOfLog(const fs::path& database, Console* console) {
-  const fs::path log = database.string() + "-wal";
-  std::error_code ignored;
-  if (!fs::exists(log, ignored) || fs::file_size(log, ignored) == 0) return;
-  console->Say("WARNING: " + log.string() +
-               ": its changes are not read; close the program that uses the database");
-}
-
-// Geographic positions in a local frame.
+// Geographic positions in a local frame, also with latitude and longitude exchanged if that is on
+// earth.
 void SetPositions(const std::vector<std::pair<ViewId, Eigen::Vector3d>>& geographic,
                   std::vector<ViewPrior>* priors) {
-  std::vector<GeoPosition> positions;
-  for (const auto& [view, at] : geographic) positions.push_back({at.x(), at.y(), at.z()});
+  std::vector<GeoPosition> positions, exchanged;
+  bool can_be_exchanged = true;
+  for (const auto& [view, at] : geographic) {
+    positions.push_back({at.x(), at.y(), at.z()});
+    exchanged.push_back({at.y(), at.x(), at.z()});
+    can_be_exchanged &= std::abs(at.y()) <= 90;
+  }
   const std::vector<Eigen::Vector3d> local = LocalFromGeo(positions);
-  for (size_t i = 0; i < local.size(); ++i) (*priors)[geographic[i].first].position = local[i];
+  const std::vector<Eigen::Vector3d> local_exchanged = LocalFromGeo(exchanged);
+  for (size_t i = 0; i < local.size(); ++i) {
+    ViewPrior& prior = (*priors)[geographic[i].first];
+    prior.position = local[i];
+    prior.is_geographic = true;
+    if (can_be_exchanged) prior.exchanged_position = local_exchanged[i];
+  }
 }
 
 // The views that stand for images: of the parts of a panorama, which were taken at once, the first.
@@ -98,7 +100,9 @@ std::vector<ViewPrior> PriorsOfViews(const PosePriors& stored, const std::vector
     const auto found = stored.find(set.ImageName(v));
     if (found == stored.end()) continue;
     const PosePrior& prior = found->second;
-    priors[v] = {prior.position, prior.position_sigma, GravityIn(set, v, prior)};
+    priors[v].position = prior.position;
+    priors[v].position_sigma = prior.position_sigma;
+    priors[v].gravity_in_cam = GravityIn(set, v, prior);
     if (prior.is_geographic && prior.position) geographic.emplace_back(v, *prior.position);
   }
   SetPositions(geographic, &priors);
@@ -160,7 +164,10 @@ std::string ScaleText(const AlignmentResult& result) {
     case ScaleSource::kNone:
       return "unknown, the unit is the model's";
     case ScaleSource::kLengths:
-      return unit + "known lengths";
+      return unit + "known lengths" +
+             (result.lengths->lengths.size() < 2
+                  ? ""
+                  : ", standard error " + Percent(result.lengths->error));
     case ScaleSource::kPositions:
       return unit + "positions of cameras, standard error " +
              Percent(result.positions->scale_error);
@@ -180,7 +187,7 @@ void SayGravity(const AlignmentResult& result, const std::vector<ViewPrior>& pri
   console->Say("alignment: gravity of " + std::to_string(count) + " cameras " + reason);
 }
 
-// How well positions fit, or why they were not used.
+// How well positions fit, which are far off, or why there are too few.
 void SayPositions(const AlignmentResult& result, const ViewSet& set, Console* console) {
   if (result.positioned.empty()) return;
   if (!result.positions) {
@@ -189,19 +196,16 @@ void SayPositions(const AlignmentResult& result, const ViewSet& set, Console* co
                  " at different places are needed");
     return;
   }
+  if (result.position_check.doubt != PositionDoubt::kNone) return;
   const PositionFit& fit = *result.positions;
-  std::vector<NamedNumber> far;
-  const double limit = kFarTimesTypical * fit.typical_scaled_residual;
-  for (size_t i = 0; i < fit.residuals.size(); ++i) {
-    if (fit.scaled_residuals[i] > limit) {
-      far.push_back({set.ImageName(result.positioned[i]), fit.residuals[i]});
-    }
-  }
   console->Say("alignment: positions fit the cameras within " + ShortNumber(fit.median_residual) +
                " m (median); standard errors: up " + DegreesText(fit.up_error_rad) + ", scale " +
                Percent(fit.scale_error));
-  if (far.empty()) return;
-  console->Say("WARNING: positions far from their cameras: " + ListNumbers(far, "m"));
+  const std::vector<NamedNumber> far = FarPositions(result, set);
+  if (!far.empty()) {
+    console->Say("WARNING: positions far from their cameras are left out: " +
+                 ListNumbers(far, "m"));
+  }
 }
 
 void SayLengths(const std::vector<KnownLength>& lengths, const AlignmentResult& result,
@@ -278,9 +282,12 @@ void StoreAlignment(const std::vector<OutputPath>& drawing_paths, const Alignmen
 void AlignOptions::AddOptions(bool of_drawing, OptionParser* parser) {
   if (of_drawing) {
     mode = Mode::kAuto;
+    contradictions_fail = true;
     parser->AddOption("known_length", &known_lengths,
                       BasicOption("measured lengths, such as \"link 12 = 2.40 m\" or \"from 3 to 7 "
                                   "= 2.40 m\" (nodes); several separated by ;"));
+    parser->AddOption("use_positions", &use_positions,
+                      "take positions of cameras from the database");
   } else {
     parser->AddOption("align", &mode, {{"none", Mode::kNone}, {"auto", Mode::kAuto}},
                       "store up, horizontal axes and scale in drawing.json");
@@ -300,7 +307,9 @@ void AlignOptions::Check() const {
 
 SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
                            const AlignOptions& options, Console* console)
-    : scene_(scene), is_asked_(options.mode == AlignOptions::Mode::kAuto) {
+    : scene_(scene),
+      is_asked_(options.mode == AlignOptions::Mode::kAuto),
+      contradictions_fail_(options.contradictions_fail) {
   if (!is_asked_) return;
   lengths_ = ParseKnownLengths(options.known_lengths);
   const bool is_found = options.database_path.empty();
@@ -310,23 +319,27 @@ SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
     console->Say("alignment: no database.db near the model");
     return;
   }
-  WarnOfLog(database, console);
   const std::vector<ViewId> of_images = ViewsOfImages(scene.view_set());
   try {
-    const PosePriors stored = ReadPriorsOf(of_images, scene.view_set(), database);
+    PosePriors stored = ReadPriorsOf(of_images, scene.view_set(), database);
+    if (!options.use_positions) {
+      for (auto& [image, prior] : stored) prior.position.reset();
+    }
     priors_ = PriorsOfViews(stored, of_images, scene.view_set());
   } catch (const IoError& error) {
     if (!is_found) throw;
     console->Say(std::string("WARNING: alignment without a database: ") + error.what());
     return;
   }
+  database_ = database;
   console->Say("alignment: " + database.string() + " has " + CountsOf(priors_, of_images.size()));
 }
 
 std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
                                              const DrawingGraph& graph, Console* console) const {
   if (!is_asked_) return std::nullopt;
-  AlignmentResult result = AlignDrawing({views, graph, priors_, lengths_});
+  const AlignmentResult result = AlignDrawing({views, graph, priors_, lengths_});
+  CheckPositions(result, console);
   SayGravity(result, priors_, console);
   SayPositions(result, scene_.view_set(), console);
   SayLengths(lengths_, result, console);
@@ -334,6 +347,16 @@ std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
   console->Say("alignment: x and y from " + AxesText(result));
   console->Say("alignment: scale " + ScaleText(result));
   return After({1, Eigen::Matrix3d::Identity(), scene_.origin()}, result.alignment);
+}
+
+void SceneAligner::CheckPositions(const AlignmentResult& result, Console* console) const {
+  const std::string doubt = PositionDoubtText(result, lengths_, scene_.view_set());
+  if (doubt.empty()) return;
+  if (contradictions_fail_) {
+    throw IoError(database_.string(),
+                  doubt + "; correct them, or align without them: --use_positions 0");
+  }
+  console->Say("WARNING: " + database_.string() + ": " + doubt + "; they are not used");
 }
 
 void AlignVerb::AddOptions(OptionParser* parser) { align_.AddOptions(/*of_drawing=*/true, parser); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ struct AlignOptions {
   std::string database_path;
   // See ParseKnownLengths.
   std::vector<std::string> known_lengths;
+  bool use_positions = true;
+  // Positions that contradict the cameras: an error, or else a warning. No option.
+  bool contradictions_fail = false;
 
   // Known lengths name links, so only commands that start from a drawing have them; these commands
   // align in any case.
@@ -39,13 +43,19 @@ class SceneAligner {
 
   // Says how it was found. `views`, which the drawing fits, and the graph are relative to the
   // scene's origin; the alignment is of the model's coordinates. Nothing if none is asked for.
-  // Throws OptionError for a known length that the graph does not have.
+  // Throws OptionError for known lengths that the graph does not have or that contradict each
+  // other, and IoError for positions that contradict the cameras, gravity or known lengths, if
+  // these fail.
   std::optional<Alignment> Align(const std::vector<View>& views, const DrawingGraph& graph,
                                  Console* console) const;
 
  private:
+  void CheckPositions(const AlignmentResult& result, Console* console) const;
+
   const Scene& scene_;
   bool is_asked_ = false;
+  bool contradictions_fail_ = false;
+  std::filesystem::path database_;  // of the priors
   std::vector<KnownLength> lengths_;
   std::vector<ViewPrior> priors_;
 };

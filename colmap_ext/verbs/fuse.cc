@@ -12,6 +12,7 @@
 #include "colmap_ext/dense_files/sparse_with_curves.h"
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/verbs/depth_warnings.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/workspace/output_check.h"
@@ -88,6 +89,7 @@ void SayLengths(const FusionResult& result, const DenseOptions& options, Console
                ShortNumber(length_of(DenseClass::kFree)) + ", not judged " +
                ShortNumber(length_of(DenseClass::kUnknown)) + ", behind the surface " +
                ShortNumber(LengthBehind(result.samples, result.classes)));
+  if (!result.trust.is_believed) return;
   console->Say("the drawing adds " + ShortNumber(LengthAdded(result.samples, result.classes)) +
                " that have no dense point within " + ShortNumber(options.near_px) + " footprints");
 }
@@ -130,13 +132,16 @@ DrawingInScene FuseVerb::Apply(const Job& job, const DrawingInScene& given) {
     throw InputError("fuse: dense results belong to a project, not to a scene in memory");
   }
   dense_ = OpenDenseInput(job.scene, paths_, job.options.layout.workspace_path, job.console);
-  FusionResult result = FuseDrawing({given.views, given.graph, dense_.depths,
-                                     dense_.cloud ? std::optional(dense_.points) : std::nullopt},
-                                    job.options.dense, job.context());
+  FusionResult result = FuseDrawing(
+      {given.views, given.graph, dense_.depths, dense_.products.kind == DenseKind::kDepthMaps,
+       dense_.cloud ? std::optional(dense_.points) : std::nullopt},
+      job.options.dense, job.context());
   job.console->Report(result.summary);
   if (const std::string note = dense_.cloud ? dense_.cloud->NoteOnOdd() : ""; !note.empty()) {
     job.console->Say("WARNING: " + dense_.products.clouds.front().string() + ": " + note);
   }
+  const std::string warning = DepthWarning(result.trust, dense_.products, given.views);
+  if (!warning.empty()) job.console->Say("WARNING: " + warning);
   SayLengths(result, job.options.dense, job.console);
   points_ = std::move(result.points);
   return {remove_occluded_ ? WithoutOccluded(result.graph) : std::move(result.graph),

@@ -11,6 +11,7 @@
 #include <sqlite3.h>
 
 #include "colmap_ext/model/image_name.h"
+#include "colmap_ext/workspace/database_journal.h"
 #include "limn/util/errors.h"
 #include "limn/util/printable.h"
 
@@ -188,6 +189,12 @@ bool IsOnEarth(const Eigen::Vector3d& position) {
          std::abs(position.z()) <= 1e6;
 }
 
+std::string WhyNotOnEarth(const Eigen::Vector3d& position) {
+  const Eigen::Vector3d exchanged(position.y(), position.x(), position.z());
+  return std::string("is not a latitude, longitude and altitude") +
+         (IsOnEarth(exchanged) ? "; it would be with latitude and longitude exchanged" : "");
+}
+
 // Cameras without satellites write zeros.
 bool IsNowhere(const PosePrior& prior) {
   return prior.is_geographic && prior.position && prior.position->head<2>().isZero(0);
@@ -199,7 +206,7 @@ void Check(const Database& database, const PosePriors& priors) {
     if (!prior.position) continue;
     const std::string place = "prior of image \"" + Printable(image) + "\"";
     if (prior.is_geographic && !IsOnEarth(*prior.position)) {
-      throw IoError(database.path(), place, "is not a latitude, longitude and altitude");
+      throw IoError(database.path(), place, WhyNotOnEarth(*prior.position));
     }
     if (!first) first = &prior;
     if (prior.is_geographic != first->is_geographic) {
@@ -279,6 +286,7 @@ PosePriors ReadPosePriors(const std::filesystem::path& path, const std::set<std:
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
     throw IoError(path.string(), "is not a file");
+  const DatabaseState state = CheckHasNoJournal(path);
   const Database database(path);
   const bool has_table = HasColumn(database, "pose_priors", "position");
   if (!has_table && !HasColumn(database, "images", "prior_tx")) {
@@ -287,6 +295,7 @@ PosePriors ReadPosePriors(const std::filesystem::path& path, const std::set<std:
   PosePriors priors =
       has_table ? ReadPriorTable(database, images) : ReadImageColumns(database, images);
   Check(database, priors);
+  CheckIsUnchanged(path, state);
   return priors;
 }
 

@@ -30,13 +30,13 @@ using PosePriors = std::map<std::string, PosePrior>;
 // (unless some are not on earth); with a rotation they are the pose of the camera in a frame with z
 // up. Images without priors are left out, and so are the priors of other sensors than cameras.
 // Positions without coordinate system are Cartesian, as to COLMAP. The file is opened read-only and
-// as immutable: neither it nor its folder is changed, and entries that exist only in its
-// write-ahead log are not read.
+// as immutable: neither it nor its folder is changed.
 //
 // Nothing of its schema is run: views, virtual tables and computed columns are refused.
 //
 // Throws IoError: no database, tables or columns missing, values of wrong size or impossible,
-// positions of both kinds, more work than any database of COLMAP takes (some seconds).
+// positions of both kinds, more work than any database of COLMAP takes (some seconds), a journal or
+// log with changes that are not in the file (CheckHasNoJournal).
 PosePriors ReadPosePriors(const std::filesystem::path& path, const std::set<std::string>& images);
 
 }  // namespace limn::colmap_ext

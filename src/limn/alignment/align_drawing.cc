@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "limn/alignment/straight_lines.h"
+#include "limn/geometry/angle_between.h"
 #include "limn/model/link_selection.h"
 #include "limn/util/angles.h"
 
@@ -17,6 +18,16 @@ constexpr double kGoodUpErrorRad = 2 * kDeg, kMaxUpErrorRad = 10 * kDeg;
 constexpr double kMaxHeadingErrorRad = 10 * kDeg;
 // With a larger relative error, lengths would not be meters.
 constexpr double kMaxScaleError = 0.2;
+// Gravity and positions disagree about up by more degrees, and by so many of both their errors.
+constexpr double kMaxUpDifferenceRad = 20 * kDeg;
+constexpr double kMaxErrors = 5;
+// Photographs are held upside down if their upper sides are farther from up; few are.
+constexpr double kUpsideDownRad = 120 * kDeg;
+constexpr double kMaxUpsideDownShare = 0.7;
+// Known lengths and positions disagree about the scale by a larger factor, and by so many errors.
+constexpr double kMaxScaleRatio = 1.25;
+// Accuracy of satellite positions where it is not given, as phones have it, m.
+constexpr double kSatelliteAccuracyM = 10;
 // Of the points on either side, which may be wrong, when the drawing is centered.
 constexpr double kOutsideShare = 0.02;
 
@@ -28,21 +39,104 @@ std::vector<ViewId> PositionedViews(const std::vector<ViewPrior>& priors) {
   return views;
 }
 
-// Weights are by the given accuracy if it is given for all.
-std::vector<PointPair> CenterPairs(const AlignmentInput& input, const std::vector<ViewId>& views) {
-  const bool is_weighted = std::all_of(
-      views.begin(), views.end(), [&](ViewId v) { return input.priors[v].position_sigma > 0; });
+struct CenterPairs {
   std::vector<PointPair> pairs;
+  std::vector<PointPair> exchanged;  // none if not all can be exchanged
+  double accuracy = 0;               // of scaled residuals; 0 = unknown
+};
+
+// Weights are by the given accuracy if it is given for all.
+CenterPairs PairCenters(const AlignmentInput& input, const std::vector<ViewId>& views) {
+  const auto all = [&](const auto& is) {
+    return std::all_of(views.begin(), views.end(), [&](ViewId v) { return is(input.priors[v]); });
+  };
+  const bool is_weighted = all([](const ViewPrior& prior) { return prior.position_sigma > 0; });
+  const bool is_exchangeable =
+      all([](const ViewPrior& prior) { return prior.exchanged_position.has_value(); });
+  CenterPairs centers;
   for (const ViewId v : views) {
     const ViewPrior& prior = input.priors[v];
     const double weight = is_weighted ? 1 / (prior.position_sigma * prior.position_sigma) : 1;
-    pairs.push_back({input.views[v].CenterInWorld(), *prior.position, weight});
+    const Eigen::Vector3d center = input.views[v].CenterInWorld();
+    centers.pairs.push_back({center, *prior.position, weight});
+    if (is_exchangeable) centers.exchanged.push_back({center, *prior.exchanged_position, weight});
   }
-  return pairs;
+  if (is_weighted) {
+    centers.accuracy = 1;
+  } else if (all([](const ViewPrior& prior) { return prior.is_geographic; })) {
+    centers.accuracy = kSatelliteAccuracyM;
+  }
+  return centers;
 }
 
 Eigen::Vector3d AxisInModel(const PositionFit& fit, int axis) {
   return fit.target_from_source.rotation.row(axis).transpose();
+}
+
+bool GravityAgrees(const AlignmentResult& found) {
+  return found.gravity && found.gravity->deviation_rad < kMaxGravityDeviationRad;
+}
+
+// The positions, if they contradict nothing and their error of up is at most this.
+const PositionFit* PositionsOfUp(const AlignmentResult& found, double max_error_rad) {
+  const bool is_good = found.positions && found.position_check.doubt == PositionDoubt::kNone &&
+                       found.positions->up_error_rad < max_error_rad;
+  return is_good ? &*found.positions : nullptr;
+}
+
+bool ContradictsGravity(const AlignmentResult& found, const PositionFit& fit) {
+  const double difference = AngleBetween(AxisInModel(fit, 2), found.gravity->direction);
+  const double errors = fit.up_error_rad + found.gravity->deviation_rad;
+  return difference > std::max(kMaxUpDifferenceRad, kMaxErrors * errors);
+}
+
+std::vector<ViewId> UpsideDown(const AlignmentInput& input, const std::vector<ViewId>& views,
+                               const Eigen::Vector3d& up) {
+  std::vector<ViewId> upside_down;
+  for (const ViewId v : views) {
+    const double angle = AngleBetween(UpAsHeld(input.views[v], input.priors[v]), up);
+    if (angle > kUpsideDownRad) upside_down.push_back(v);
+  }
+  return upside_down;
+}
+
+// Whether positions that fit the cameras tell an up that something else denies.
+void CheckUpOfPositions(const AlignmentInput& input, AlignmentResult* result) {
+  const PositionFit* fit = PositionsOfUp(*result, kMaxUpErrorRad);
+  if (!fit) return;
+  if (GravityAgrees(*result)) {
+    if (ContradictsGravity(*result, *fit)) result->position_check.doubt = PositionDoubt::kGravity;
+    return;
+  }
+  const Eigen::Vector3d up = AxisInModel(*fit, 2);
+  result->upside_down = UpsideDown(input, result->positioned, up);
+  if (static_cast<double>(result->upside_down.size()) >
+      kMaxUpsideDownShare * static_cast<double>(result->positioned.size())) {
+    result->position_check.doubt = PositionDoubt::kUpsideDown;
+  }
+}
+
+void CheckScaleOfPositions(AlignmentResult* result) {
+  const bool both =
+      result->lengths && result->positions && result->position_check.doubt == PositionDoubt::kNone;
+  if (!both || !(result->positions->scale_error < kMaxScaleError)) return;
+  const double by_lengths = result->lengths->scale;
+  const double by_positions = result->positions->target_from_source.scale;
+  const double ratio = std::max(by_lengths / by_positions, by_positions / by_lengths);
+  if (ratio > std::max(kMaxScaleRatio, 1 + kMaxErrors * result->positions->scale_error)) {
+    result->position_check.doubt = PositionDoubt::kLengths;
+  }
+}
+
+void FitCenters(const AlignmentInput& input, AlignmentResult* result) {
+  result->positioned = PositionedViews(input.priors);
+  const CenterPairs centers = PairCenters(input, result->positioned);
+  result->positions = FitPositions(centers.pairs);
+  if (!result->positions) return;
+  result->position_check =
+      CheckPositions(centers.pairs, *result->positions, centers.exchanged, centers.accuracy);
+  CheckUpOfPositions(input, result);
+  CheckScaleOfPositions(result);
 }
 
 struct Up {
@@ -52,11 +146,9 @@ struct Up {
 
 // What is known of it without the drawing: to tell up from down, and from other main directions.
 Up UpHint(const AlignmentInput& input, const AlignmentResult& found) {
-  if (found.gravity && found.gravity->deviation_rad < kMaxGravityDeviationRad) {
-    return {found.gravity->direction, UpSource::kGravity};
-  }
-  if (found.positions && found.positions->up_error_rad < kMaxUpErrorRad) {
-    return {AxisInModel(*found.positions, 2), UpSource::kPositions};
+  if (GravityAgrees(found)) return {found.gravity->direction, UpSource::kGravity};
+  if (const PositionFit* positions = PositionsOfUp(found, kMaxUpErrorRad)) {
+    return {AxisInModel(*positions, 2), UpSource::kPositions};
   }
   return {UpOfCameras(input.views, input.priors), UpSource::kCameras};
 }
@@ -76,7 +168,8 @@ struct Heading {
 };
 
 Heading HeadingHint(const Eigen::Vector3d& up, const AlignmentResult& found) {
-  if (found.positions && found.positions->heading_error_rad < kMaxHeadingErrorRad) {
+  if (found.positions && found.position_check.doubt == PositionDoubt::kNone &&
+      found.positions->heading_error_rad < kMaxHeadingErrorRad) {
     const Eigen::Vector3d east = AxisInModel(*found.positions, 0);
     if (std::abs(east.dot(up)) < 0.5) return {east, AxesSource::kPositions};
   }
@@ -92,13 +185,13 @@ Eigen::Matrix3d RotationOf(const Eigen::Vector3d& up, const Eigen::Vector3d& hea
   return rotation;
 }
 
-void SetScale(const AlignmentInput& input, AlignmentResult* result) {
+void SetScale(AlignmentResult* result) {
   Alignment& alignment = result->alignment;
-  if (!input.lengths.empty()) {
-    result->lengths = FitLengths(input.graph, input.lengths);
+  if (result->lengths) {
     alignment.world_from_model.scale = result->lengths->scale;
     alignment.scale = ScaleSource::kLengths;
-  } else if (result->positions && result->positions->scale_error < kMaxScaleError) {
+  } else if (result->positions && result->position_check.doubt == PositionDoubt::kNone &&
+             result->positions->scale_error < kMaxScaleError) {
     alignment.world_from_model.scale = result->positions->target_from_source.scale;
     alignment.scale = ScaleSource::kPositions;
   }
@@ -141,8 +234,8 @@ AlignmentResult AlignDrawing(const AlignmentInput& input) {
   AlignmentResult result;
   const std::vector<StraightLine> lines = StraightLines(input.graph);
   result.gravity = MeasuredUp(input.views, input.priors);
-  result.positioned = PositionedViews(input.priors);
-  result.positions = FitPositions(CenterPairs(input, result.positioned));
+  if (!input.lengths.empty()) result.lengths = FitLengths(input.graph, input.lengths);
+  FitCenters(input, &result);
   const Up hint = UpHint(input, result);
   result.vertical = FindVertical(lines, hint.direction);
   const Up up = ChooseUp(hint, result);
@@ -152,7 +245,7 @@ AlignmentResult AlignDrawing(const AlignmentInput& input) {
   Alignment& alignment = result.alignment;
   alignment.up = up.source;
   alignment.axes = result.horizontal ? AxesSource::kLines : heading.source;
-  SetScale(input, &result);
+  SetScale(&result);
   Similarity3d& world_from_model = alignment.world_from_model;
   world_from_model.rotation = RotationOf(
       up.direction, result.horizontal ? result.horizontal->direction : heading.direction);

@@ -6,6 +6,7 @@
 #include "limn/alignment/camera_hints.h"
 #include "limn/alignment/dominant_directions.h"
 #include "limn/alignment/known_lengths.h"
+#include "limn/alignment/position_check.h"
 #include "limn/alignment/position_fit.h"
 #include "limn/model/alignment.h"
 
@@ -24,12 +25,17 @@ struct AlignmentResult {
   std::optional<GravityUp> gravity;
   std::optional<PositionFit> positions;
   std::vector<ViewId> positioned;  // the views of its residuals
+  // Positions that contradict the cameras or something else determine nothing.
+  PositionCheck position_check;
+  // Of the photographs with a position, those that were taken upside down by these.
+  std::vector<ViewId> upside_down;
   std::optional<DominantDirection> vertical, horizontal;
   std::optional<LengthFit> lengths;
 };
 
 // Up, horizontal axes, scale, floor and middle of a drawing (algorithm/alignment.md). Throws
-// OptionError for lengths that the drawing does not have. The same input gives the same result.
+// OptionError for lengths that the drawing does not have or that contradict each other. The same
+// input gives the same result.
 AlignmentResult AlignDrawing(const AlignmentInput& input);
 
 }  // namespace limn

@@ -18,9 +18,8 @@ constexpr double kWeightOfDown = 0.1;
 constexpr double kMinMeanDown = 0.3;
 constexpr int kMedianRounds = 50;
 
-Eigen::Vector3d DownInCam(const std::vector<ViewPrior>& priors, size_t view) {
-  const bool is_known = view < priors.size() && priors[view].gravity_in_cam;
-  return is_known ? priors[view].gravity_in_cam->normalized() : Eigen::Vector3d::UnitY();
+Eigen::Vector3d DownInCam(const ViewPrior& prior) {
+  return prior.gravity_in_cam ? prior.gravity_in_cam->normalized() : Eigen::Vector3d::UnitY();
 }
 
 // Of unit vectors: the direction with the least sum of angles to them (Weiszfeld's iteration);
@@ -72,12 +71,16 @@ std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
   return up;
 }
 
+Eigen::Vector3d UpAsHeld(const View& view, const ViewPrior& prior) {
+  return -(view.cam_from_world.rotation.conjugate() * DownInCam(prior));
+}
+
 Eigen::Vector3d UpOfCameras(const std::vector<View>& views, const std::vector<ViewPrior>& priors) {
   Eigen::Vector3d up = Eigen::Vector3d::Zero(), backward = Eigen::Vector3d::Zero();
   Eigen::Matrix3d horizontal = Eigen::Matrix3d::Zero();
   for (size_t v = 0; v < views.size(); ++v) {
     const Eigen::Quaterniond world_from_cam = views[v].cam_from_world.rotation.conjugate();
-    const Eigen::Vector3d down = DownInCam(priors, v);
+    const Eigen::Vector3d down = DownInCam(v < priors.size() ? priors[v] : ViewPrior());
     const Eigen::Vector3d right = world_from_cam * down.cross(Eigen::Vector3d::UnitZ());
     up -= world_from_cam * down;
     backward -= world_from_cam * Eigen::Vector3d::UnitZ();

@@ -14,6 +14,9 @@ struct ViewPrior {
   // In meters, z up: its center, and the standard deviation of that along each axis; 0 = unknown.
   std::optional<Eigen::Vector3d> position;
   double position_sigma = 0;
+  bool is_geographic = false;  // the position was measured by satellites
+  // Of a geographic one: where it would be with latitude and longitude exchanged.
+  std::optional<Eigen::Vector3d> exchanged_position;
   // Which way things fall, in the camera's coordinates (x right, y down, z forward).
   std::optional<Eigen::Vector3d> gravity_in_cam;
 };
@@ -39,6 +42,10 @@ constexpr size_t kMinGravities = 3;
 // kMinGravities did, or if they cancel. `priors` has one per view, or is empty.
 std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
                                     const std::vector<ViewPrior>& priors);
+
+// Up in the world as this photograph is held: above its upper side, or, if gravity is known at
+// least to a quarter turn, against that.
+Eigen::Vector3d UpAsHeld(const View& view, const ViewPrior& prior);
 
 // Roughly up, from how cameras are held: their x axes are mostly horizontal (or whichever axis
 // gravity says is, if it is known at least to a quarter turn), and their y axes mostly point down;

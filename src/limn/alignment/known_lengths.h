@@ -23,12 +23,15 @@ std::vector<KnownLength> ParseKnownLengths(const std::vector<std::string>& texts
 struct LengthFit {
   double scale = 1;             // meters per unit of the drawing
   std::vector<double> lengths;  // in the drawing, in meters by this scale
+  // Standard error, relative, from how far several differ; 0 for one.
+  double error = 0;
 };
 
 // The least-squares scale. The length of a link is that of its primitive, which does not follow the
 // noise of its points; for a spline or a link without a primitive it is that of its points. Throws
-// OptionError if the drawing has no such link or node, or two nodes are at one place. Precondition:
-// there are lengths.
+// OptionError if the drawing has no such link or node, two nodes are at one place, or two lengths
+// contradict each other (algorithm/alignment.md#contradictions): names the two that do most.
+// Quadratic in the lengths. Precondition: there are lengths.
 LengthFit FitLengths(const DrawingGraph& graph, const std::vector<KnownLength>& lengths);
 
 }  // namespace limn

@@ -25,6 +25,9 @@ constexpr double kOutlierSigmas = 4;
 // So many residuals below the typical one, if there are as many. Any fit has 7 degrees of freedom:
 // to a pair or two more it can be exact by chance, which would make all others look wrong.
 constexpr size_t kMinBelowTypical = 6;
+// Of few pairs all are below it: one is wrong if the largest residual of the others falls by this
+// factor without it.
+constexpr double kFallWithoutWrong = 5;
 
 // Least squares with these weights (Umeyama 1991); nothing if the sources are at one place.
 std::optional<Similarity3d> FitWeighted(const std::vector<PointPair>& pairs,
@@ -77,9 +80,10 @@ std::vector<double> GivenWeights(const std::vector<PointPair>& pairs) {
   return weights;
 }
 
-// The median, or a greater one of few: the residual that tells noise from wrong pairs.
-double TypicalResidual(std::vector<double> residuals) {
-  const size_t last = residuals.size() - 1;
+// The median, or a greater one of few: the residual that tells noise from wrong pairs. Of few, so
+// many are known to be wrong.
+double TypicalResidual(std::vector<double> residuals, size_t num_wrong = 0) {
+  const size_t last = residuals.size() - 1 - num_wrong;
   const size_t place = std::max(residuals.size() / 2, std::min(last, kMinBelowTypical));
   const auto typical = residuals.begin() + static_cast<std::ptrdiff_t>(place);
   std::nth_element(residuals.begin(), typical, residuals.end());
@@ -107,9 +111,33 @@ std::optional<Similarity3d> BestStart(const std::vector<PointPair>& pairs) {
   return best;
 }
 
+std::vector<PointPair> Without(size_t wrong, std::vector<PointPair> pairs) {
+  pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(wrong));
+  return pairs;
+}
+
+// The fit to all of a few pairs but one, if that is wrong.
+std::optional<Similarity3d> FitWithoutWrong(const std::vector<PointPair>& pairs,
+                                            const Similarity3d& fit_to_all) {
+  if (pairs.size() <= kMinPositions || pairs.size() > kMinBelowTypical + 1) return std::nullopt;
+  double least = TypicalResidual(ScaledResiduals(pairs, fit_to_all)) / kFallWithoutWrong;
+  std::optional<Similarity3d> best;
+  for (size_t wrong = 0; wrong < pairs.size(); ++wrong) {
+    const std::vector<PointPair> others = Without(wrong, pairs);
+    const auto fit = FitWeighted(others, GivenWeights(others));
+    if (!fit) continue;
+    const double typical = TypicalResidual(ScaledResiduals(others, *fit));
+    if (!(typical < least)) continue;
+    least = typical;
+    best = fit;
+  }
+  return best;
+}
+
 std::vector<double> RobustWeights(const std::vector<PointPair>& pairs,
-                                  const std::vector<double>& scaled_residuals) {
-  const double sigma = TypicalResidual(scaled_residuals) / kMedianDistance;  // along each axis
+                                  const std::vector<double>& scaled_residuals, size_t num_wrong) {
+  // Along each axis.
+  const double sigma = TypicalResidual(scaled_residuals, num_wrong) / kMedianDistance;
   const double limit = kOutlierSigmas * sigma;
   std::vector<double> weights;
   for (size_t i = 0; i < pairs.size(); ++i) {
@@ -130,8 +158,7 @@ void SetErrors(const std::vector<PointPair>& pairs, const std::vector<double>& w
     mean += weights[i] * (fit->target_from_source * pairs[i].source);
   }
   mean /= sum;
-  const auto num_rejected = std::count(weights.begin(), weights.end(), 0.0);
-  const auto count = static_cast<double>(weights.size()) - static_cast<double>(num_rejected);
+  const auto count = static_cast<double>(weights.size() - fit->num_rejected);
   // Seven numbers were fitted.
   const double variance = squares / sum * count / std::max(3 * count - 7, 1.0);
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -161,11 +188,13 @@ std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs) {
   if (pairs.size() < kMinPositions) return std::nullopt;
   std::optional<Similarity3d> best = BestStart(pairs);
   if (!best) return std::nullopt;
+  const std::optional<Similarity3d> without_wrong = FitWithoutWrong(pairs, *best);
+  const size_t num_wrong = without_wrong ? 1 : 0;
   PositionFit fit;
-  fit.target_from_source = *best;
+  fit.target_from_source = without_wrong.value_or(*best);
   std::vector<double> weights;
   for (int k = 0; k < kNumIterations; ++k) {
-    weights = RobustWeights(pairs, ScaledResiduals(pairs, fit.target_from_source));
+    weights = RobustWeights(pairs, ScaledResiduals(pairs, fit.target_from_source), num_wrong);
     const std::optional<Similarity3d> next = FitWeighted(pairs, weights);
     if (!next) break;
     fit.target_from_source = *next;
@@ -173,7 +202,9 @@ std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs) {
   fit.residuals = Residuals(pairs, fit.target_from_source);
   fit.scaled_residuals = ScaledResiduals(pairs, fit.target_from_source);
   fit.median_residual = Median(fit.residuals);
-  fit.typical_scaled_residual = TypicalResidual(fit.scaled_residuals);
+  fit.typical_scaled_residual = TypicalResidual(fit.scaled_residuals, num_wrong);
+  for (const double weight : weights) fit.is_rejected.push_back(weight == 0 ? 1 : 0);
+  fit.num_rejected = static_cast<size_t>(std::count(weights.begin(), weights.end(), 0.0));
   SetErrors(pairs, weights, &fit);
   return fit;
 }

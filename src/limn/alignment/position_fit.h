@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct PositionFit {
   // The one of these that separates noise from wrong pairs: the median, or a larger one if there
   // are few pairs (see FitPositions).
   double typical_scaled_residual = 0;
+  // Per pair 1 if it has no say in the fit, since it is wrong; and their number.
+  std::vector<uint8_t> is_rejected;
+  size_t num_rejected = 0;
   // Standard errors: of the direction of the target's z axis, of the direction of its x axis around
   // z (pi where pairs on a line leave it open), and of the scale, relative.
   double up_error_rad = 0;
@@ -39,9 +43,10 @@ constexpr size_t kMinPositions = 4;
 // residual, among fits to random triples and the least-squares fit to all pairs, then repeats least
 // squares over the pairs within four standard deviations; residuals are scaled by the accuracies of
 // their pairs. The typical residual is the median, but at least the seventh smallest: all but seven
-// pairs may be wrong if these are fewer than half. Up to seven pairs all count, and a wrong one
-// shows in the reported errors. Nothing for fewer than kMinPositions pairs, or sources all at one
-// place. The same pairs give the same result. Linear time.
+// pairs may be wrong if these are fewer than half. Of five to seven pairs one may be wrong, if the
+// others fit far better without it; more show in the reported errors. Nothing for fewer than
+// kMinPositions pairs, or sources all at one place. The same pairs give the same result. Linear
+// time.
 std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs);
 
 }  // namespace limn

@@ -46,8 +46,20 @@ FusionResult FuseDrawing(const FusionInput& input, const DenseOptions& options,
   FusionResult result;
   result.graph = input.graph;
   result.samples = SampleDrawing(input.graph, input.views, options.sample_spacing_px);
-  const std::vector<SampleSupport> support =
-      FindSampleSupport(result.samples, input.views, input.depths, options, context);
+  const SurelySeen seen(input.graph, result.samples, input.views);
+  DepthWatch watch(seen, input.views, input.depths_are_separate, options);
+  std::vector<SampleSupport> support =
+      FindSampleSupport(result.samples, input.views, watch.Watched(input.depths), options, context);
+  result.trust = watch.Judge();
+  if (input.depths_are_separate) {
+    ExplainDoubts(seen, input.views, input.depths, options, &result.trust);
+  }
+  if (!result.trust.is_believed) {
+    support.assign(support.size(), {});
+  } else if (!result.trust.unfit.empty()) {
+    support = FindSampleSupport(result.samples, input.views,
+                                Without(result.trust.unfit, input.depths), options, context);
+  }
   result.classes = ClassifyLinks(input.graph, result.samples, support,
                                  NearDense(input, result.samples, support, options), options);
   for (size_t l = 0; l < result.graph.links.size(); ++l) {

@@ -19,9 +19,7 @@ constexpr double kMinJudgedShare = 0.3;
 DenseClass ClassOfSample(const SampleSupport& support) {
   const int num_judged = support.num_surface + support.num_boundary + support.num_free;
   const bool known = num_judged > 0 || !support.visible_in.empty();
-  if (support.num_touching == 0) {
-    return known || support.occluded_in.empty() ? DenseClass::kFree : DenseClass::kUnknown;
-  }
+  if (support.num_touching == 0) return known ? DenseClass::kFree : DenseClass::kUnknown;
   if (num_judged == 0) return DenseClass::kUnknown;
   if (support.num_surface >= support.num_boundary && support.num_surface >= support.num_free) {
     return DenseClass::kSurface;

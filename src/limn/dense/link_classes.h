@@ -19,9 +19,9 @@ struct DenseClasses {
 // Classifies every sample and every link, which gets the class of most of its length
 // (algorithm/dense.md#classes). A sample that touches the surface, at the resolution of the views'
 // depths, is on the surface or at its boundary (an occluding contour or a rim), whichever most
-// views say that know both of its sides. Other samples are free. Whether a link is behind the
-// surface follows from the options. `near_dense` tells per sample whether a dense point is within
-// near_px; in a sparse cloud this is rare on the surface, too.
+// views say that know both of its sides. Other samples that a view sees are free. Whether a link is
+// behind the surface follows from the options. `near_dense` tells per sample whether a dense point
+// is within near_px; in a sparse cloud this is rare on the surface, too.
 DenseClasses ClassifyLinks(const DrawingGraph& graph, const DrawingSamples& samples,
                            const std::vector<SampleSupport>& support,
                            std::vector<uint8_t> near_dense, const DenseOptions& options);

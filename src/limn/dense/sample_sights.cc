@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limn/dense/depth_tolerance.h"
 #include "limn/support/edgel_residual.h"
 
 namespace limn {
 namespace {
 
-// Steepest surface whose depths still count as one with the curve: tangent of the angle to the
-// image plane.
-constexpr double kMaxSlope = 1.7;
 // A single depth in front may be an outlier: at least this many of the nine cells must be nearer.
 constexpr int kMinFrontCells = 3;
 // Number of further steps to either side at which the surface is examined.
@@ -27,8 +25,8 @@ class Look {
         depth_(depth),
         footprint_(depth / view.camera.MeanFocal()),
         cell_px_(image.cell_px.maxCoeff()),
-        tolerance_(options.depth_tolerance_px * footprint_),
-        near_(options.near_px * footprint_) {}
+        tolerance_px_(options.depth_tolerance_px),
+        near_px_(options.near_px) {}
 
   Sight SightAt(const Eigen::Vector2i& cell, bool* touches) const {
     int num_near = 0;
@@ -37,7 +35,7 @@ class Look {
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
         const Eigen::Vector2i around = cell + Eigen::Vector2i(dx, dy);
-        *touches |= IsNear(around, near_, cell_px_);
+        *touches |= IsNear(around, near_px_, cell_px_);
         switch (Compare(around, cell_px_)) {
           case Side::kNear:
             ++num_near;
@@ -82,17 +80,16 @@ class Look {
   double cell_px() const { return cell_px_; }
 
  private:
-  // The surface is no farther in depth than `allowed` and what it may gain over the distance.
-  bool IsNear(const Eigen::Vector2i& cell, double allowed, double distance_px) const {
+  bool IsNear(const Eigen::Vector2i& cell, double allowed_px, double distance_px) const {
     const double surface = image_.DepthOr0(cell.x(), cell.y());
     return surface > 0 &&
-           std::abs(surface - depth_) <= allowed + kMaxSlope * distance_px * footprint_;
+           std::abs(surface - depth_) <= DepthTolerancePx(allowed_px, distance_px) * footprint_;
   }
 
   Side Compare(const Eigen::Vector2i& cell, double distance_px) const {
     const double surface = image_.DepthOr0(cell.x(), cell.y());
     if (!(surface > 0)) return Side::kUnknown;
-    if (IsNear(cell, tolerance_, distance_px)) return Side::kNear;
+    if (IsNear(cell, tolerance_px_, distance_px)) return Side::kNear;
     return surface < depth_ ? Side::kFront : Side::kBehind;
   }
 
@@ -101,8 +98,8 @@ class Look {
   double depth_;
   double footprint_;
   double cell_px_;
-  double tolerance_;
-  double near_;
+  double tolerance_px_;
+  double near_px_;
 };
 
 // Left and right are the same for all views that look at a surface from outside.

@@ -24,6 +24,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::ThrowsMessage;
 
 constexpr int kNumImages = 8;
 
@@ -111,6 +112,10 @@ class AlignmentRun : public ::testing::Test {
     AlignOptions options;
     options.mode = AlignOptions::Mode::kAuto;
     options.database_path = database_path;
+    return AlignWith(options);
+  }
+
+  Alignment AlignWith(const AlignOptions& options) {
     const SceneAligner aligner(*scene_, options_.layout, options, &console_);
     const DrawingGraph graph =
         limn::testing::Moved(limn::testing::WireRoom(), Inverse(world_from_model_));
@@ -184,13 +189,101 @@ TEST_F(AlignmentRun, FewPositionsAreNotCalledFar) {
   EXPECT_THAT(console_.text(), HasSubstr("positions of 3 cameras are not used: 4 at different"));
 }
 
-TEST_F(AlignmentRun, ChangesThatAreOnlyInTheLogAreTold) {
+TEST_F(AlignmentRun, ADatabaseThatIsBeingChangedIsNotUsed) {
   WritePhotographs();
   WriteDatabase(Database(), DatabaseVersion::k4_1, Priors());
-  dir_.WriteFile("database.db-wal", "pages");
-  ExpectTruth(Align());
+  dir_.WriteFile("database.db-wal", "\x37\x7f\x06\x82" + std::string(60, 'x'));
+  EXPECT_EQ(Align().up, UpSource::kLines);
   EXPECT_THAT(console_.log().warnings,
-              ElementsAre(HasSubstr("database.db-wal: its changes are not read")));
+              ElementsAre(AllOf(HasSubstr("alignment without a database: " + Database()),
+                                HasSubstr("database.db-wal has changes"))));
+  EXPECT_THROW(Align(Database()), IoError);
+}
+
+TEST_F(AlignmentRun, PositionsThatContradictSomethingAreNamed) {
+  WritePhotographs();
+  const auto align = [&](bool fails, const std::vector<StoredPrior>& priors,
+                         const std::string& text) {
+    fs::remove(Database());
+    WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
+    AlignOptions options;
+    options.mode = AlignOptions::Mode::kAuto;
+    options.contradictions_fail = fails;
+    const size_t num_warnings = console_.log().warnings.size();
+    if (fails) {
+      EXPECT_THAT([&] { AlignWith(options); },
+                  ThrowsMessage<IoError>(AllOf(HasSubstr(Database() + ": positions of "),
+                                               HasSubstr(text), HasSubstr("--use_positions 0"))));
+      options.use_positions = false;
+      EXPECT_EQ(AlignWith(options).scale, ScaleSource::kNone);
+      return;
+    }
+    EXPECT_EQ(AlignWith(options).scale, ScaleSource::kNone);
+    ASSERT_EQ(console_.log().warnings.size(), num_warnings + 1);
+    EXPECT_THAT(console_.log().warnings.back(), AllOf(HasSubstr(text), HasSubstr("not used")));
+  };
+  const std::vector<StoredPrior> right = Priors();
+  std::vector<StoredPrior> wrong = right;
+  for (StoredPrior& prior : wrong) {
+    prior.gravity.setConstant(limn::testing::kNotGiven);
+    std::swap(prior.position.x(), prior.position.y());
+  }
+  align(true, wrong, "latitude and longitude are exchanged");
+  align(false, wrong, "latitude and longitude are exchanged");
+  wrong = right;
+  for (int i = 0; i < kNumImages; ++i) {
+    wrong[i].coordinate_system = 1;
+    wrong[i].position = cameras_[i].CenterInWorld().cwiseProduct(Eigen::Vector3d(1, -1, 1));
+  }
+  align(true, wrong, "they are mirrored");
+  // Against gravity only: y is up.
+  for (int i = 0; i < kNumImages; ++i) {
+    const Eigen::Vector3d at = cameras_[i].CenterInWorld();
+    wrong[i].position = {at.x(), at.z(), -at.y()};
+  }
+  constexpr int kOrder[] = {3, 6, 1, 4, 7, 2, 0, 5};
+  align(true, wrong, "contradict the gravity that 8 measured: their ups are 90 degrees apart");
+  for (int i = 0; i < kNumImages; ++i) {
+    wrong[i].position = cameras_[kOrder[i]].CenterInWorld();
+  }
+  align(false, wrong, "no better than in another order");
+}
+
+TEST_F(AlignmentRun, ByWrongPositionsPhotographsWouldBeUpsideDown) {
+  // On one level: the mirror image fits too.
+  for (int i = 0; i < kNumImages; ++i) {
+    const double azimuth = 2 * M_PI * i / kNumImages, radius = 1.2 + 0.1 * (i % 3);
+    cameras_[i] = limn::testing::LookAt(
+        {radius * std::cos(azimuth), radius * std::sin(azimuth), 1.2}, {0, 0, 1});
+  }
+  WritePhotographs();
+  std::vector<StoredPrior> priors = Priors();
+  for (int i = 0; i < kNumImages; ++i) {
+    const Eigen::Vector3d at = cameras_[i].CenterInWorld();
+    priors[i] = {Name(i), {at.y(), at.x(), at.z()}, 1};
+  }
+  WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
+  AlignOptions options;
+  options.mode = AlignOptions::Mode::kAuto;
+  options.contradictions_fail = true;
+  EXPECT_THAT([&] { AlignWith(options); },
+              ThrowsMessage<IoError>(HasSubstr("by them 8 of 8 were taken upside down (0.png")));
+}
+
+TEST_F(AlignmentRun, KnownLengthsContradictPositionsOfAnotherUnit) {
+  WritePhotographs();
+  std::vector<StoredPrior> priors = Priors();
+  for (int i = 0; i < kNumImages; ++i) {
+    priors[i].coordinate_system = 1;
+    priors[i].position = cameras_[i].CenterInWorld() / 0.3048;
+  }
+  WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
+  AlignOptions options;
+  options.mode = AlignOptions::Mode::kAuto;
+  options.known_lengths = {"link 0 = 5 m"};
+  EXPECT_EQ(AlignWith(options).scale, ScaleSource::kLengths);
+  EXPECT_THAT(console_.log().warnings,
+              ElementsAre(HasSubstr("contradict the known length \"link 0 = 5 m\"")));
 }
 
 TEST_F(AlignmentRun, PositionsAreFarByTheirAccuracy) {
@@ -206,7 +299,8 @@ TEST_F(AlignmentRun, PositionsAreFarByTheirAccuracy) {
   fs::remove(Database());
   WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
   ExpectTruth(Align());
-  EXPECT_THAT(console_.log().warnings, ElementsAre(HasSubstr("far from their cameras: 5.png (")));
+  EXPECT_THAT(console_.log().warnings,
+              ElementsAre(HasSubstr("far from their cameras are left out: 5.png (")));
 }
 
 TEST_F(AlignmentRun, PanoramasCountOnceEach) {
@@ -228,8 +322,9 @@ TEST_F(AlignmentRun, PanoramasCountOnceEach) {
   ExpectTruth(alignment);
   EXPECT_THAT(console_.text(), AllOf(HasSubstr("positions of 8 and gravity of 7 of 8 images\n"),
                                      HasSubstr("the gravity that 7 cameras measured")));
-  EXPECT_THAT(console_.log().warnings,
-              ElementsAre(AllOf(HasSubstr("far from their cameras: 4.png"), HasSubstr(" m"))));
+  EXPECT_THAT(
+      console_.log().warnings,
+      ElementsAre(AllOf(HasSubstr("far from their cameras are left out: 4.png"), HasSubstr(" m"))));
 }
 
 TEST_F(AlignmentRun, ADatabaseThatWasFoundDoesNotStopIt) {

@@ -172,5 +172,32 @@ TEST_F(PosePriorsTest, CutDatabasesAreNamed) {
   EXPECT_THAT(ErrorOf(path_), StartsWith(path_ + ": "));
 }
 
+TEST_F(PosePriorsTest, UnfinishedChangesAreNamed) {
+  WriteDatabase(path_, DatabaseVersion::k4_1, {{"a", {1, 2, 3}, 1}});
+  const auto fails_with = [&](const std::string& name, const std::string& bytes) {
+    const std::string beside = dir_.WriteFile(name, bytes);
+    EXPECT_THAT(ErrorOf(path_),
+                AllOf(StartsWith(path_ + ": " + beside), HasSubstr("sqlite3 " + path_)))
+        << name;
+    std::filesystem::create_symlink(path_, dir_ / "link.db");
+    EXPECT_THAT(ErrorOf((dir_ / "link.db").string()), HasSubstr(beside));
+    std::filesystem::remove(dir_ / "link.db");
+    std::filesystem::remove(beside);
+  };
+  const auto is_void_with = [&](const std::string& name, const std::string& bytes) {
+    const std::string beside = dir_.WriteFile(name, bytes);
+    EXPECT_EQ(Read(path_).size(), 1u) << name;
+    std::filesystem::remove(beside);
+  };
+  const std::string rest(600, 'x');
+  fails_with("database.db-journal", "\xd9\xd5\x05\xf9\x20\xa1\x63\xd7" + rest);
+  fails_with("database.db-wal", "\x37\x7f\x06\x82" + rest);
+  is_void_with("database.db-journal", "");
+  is_void_with("database.db-journal", std::string(600, '\0'));  // committed
+  is_void_with("database.db-wal", "");
+  is_void_with("database.db-wal", "\x37\x7f\x06\x83" + rest.substr(0, 28));  // no frame
+  is_void_with("database.db-wal", "pages");
+}
+
 }  // namespace
 }  // namespace limn::colmap_ext

@@ -44,10 +44,51 @@ TEST(KnownLengths, SeveralAreFittedByLeastSquares) {
   const LengthFit one = FitLengths(graph, ParseKnownLengths({"link 0 = 10 m"}));
   EXPECT_DOUBLE_EQ(one.scale, 2);
   EXPECT_DOUBLE_EQ(one.lengths[0], 10);
-  const LengthFit two = FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 9 m"}));
-  EXPECT_DOUBLE_EQ(two.scale, (5 * 10 + 4 * 9) / 41.0);
+  const LengthFit two = FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 8.2 m"}));
+  EXPECT_DOUBLE_EQ(two.scale, (5 * 10 + 4 * 8.2) / 41.0);
   EXPECT_DOUBLE_EQ(two.lengths[1], 4 * two.scale);
   EXPECT_DOUBLE_EQ(FitLengths(graph, ParseKnownLengths({"from 0 to 1 = 2.5 m"})).scale, 0.5);
+}
+
+TEST(KnownLengths, TellTheErrorOfTheScale) {
+  const DrawingGraph graph = testing::WireRoom();
+  EXPECT_EQ(FitLengths(graph, ParseKnownLengths({"link 0 = 10 m"})).error, 0);
+  const LengthFit same = FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 8 m"}));
+  EXPECT_NEAR(same.error, 0, 1e-12);
+  const LengthFit apart = FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 8.2 m"}));
+  EXPECT_NEAR(apart.error, 0.0123, 0.001);  // half of the difference
+}
+
+TEST(KnownLengths, ThatContradictEachOtherAreNamed) {
+  const DrawingGraph graph = testing::WireRoom();
+  const auto fit = [&](const std::vector<std::string>& texts) {
+    return FitLengths(graph, ParseKnownLengths(texts));
+  };
+  EXPECT_THAT(
+      [&] {
+        fit({"link 0 = 10 m", "link 4 = 9 m"});
+      },
+      ThrowsMessage<OptionError>(
+          "known_length = link 0 = 10 m: contradicts \"link 4 = 9 m\": a unit of the drawing "
+          "is 2 m by the one and 2.25 m by the other, 12.5 % apart; measure both again, or "
+          "leave one out"));
+  EXPECT_THROW(fit({"link 0 = 10 m", "link 0 = 12 m"}), OptionError);
+  // The other two agree with one of them.
+  EXPECT_THAT(
+      [&] {
+        fit({"link 1 = 10 m", "link 0 = 10.1 m", "link 4 = 16 m", "link 2 = 10 m"});
+      },
+      ThrowsMessage<OptionError>(
+          ::testing::AllOf(HasSubstr("contradicts \"link 4 = 16 m\""),
+                           HasSubstr("(2 of the others agree with \"link 1 = 10 m\")"))));
+}
+
+TEST(KnownLengths, OfUncertainLinksMayDiffer) {
+  DrawingGraph graph = testing::WireRoom();
+  graph.links[4].sigma.assign(3, 0.2);  // of 4
+  EXPECT_GT(FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 9 m"})).error, 0.03);
+  EXPECT_THROW(FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 20 m"})),
+               OptionError);
 }
 
 TEST(KnownLengths, OfALinkAreThoseOfItsPrimitive) {

@@ -87,10 +87,25 @@ TEST(PositionFit, FewPairsDoNotTellUpWithFalseConfidence) {
   }
 }
 
-TEST(PositionFit, AWrongOneOfFewPairsShowsInTheErrors) {
+TEST(PositionFit, AWrongOneOfFewPairsIsRejected) {
+  for (const int count : {5, 6, 7}) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      std::vector<PointPair> pairs = Pairs({}, count, 8, 0.1, seed);
+      const size_t wrong = seed % count;
+      pairs[wrong].target += 30 * Eigen::Vector3d::UnitX();
+      const auto fit = FitPositions(pairs);
+      ASSERT_TRUE(fit);
+      EXPECT_EQ(fit->num_rejected, 1u);
+      EXPECT_GT(fit->scaled_residuals[wrong], 5 * fit->typical_scaled_residual);
+    }
+  }
+}
+
+TEST(PositionFit, SeveralWrongOnesOfFewPairsShowInTheErrors) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::vector<PointPair> pairs = Pairs({}, 6, 8, 0.1, seed);
     pairs[seed % 6].target += 30 * Eigen::Vector3d::UnitX();
+    pairs[(seed + 2) % 6].target += 30 * Eigen::Vector3d::UnitY();
     const auto fit = FitPositions(pairs);
     ASSERT_TRUE(fit);
     EXPECT_GT(fit->up_error_rad, 10 * kDeg);

@@ -1,7 +1,9 @@
 #include "limn/dense/fuse_drawing.h"
 
 #include <algorithm>
+#include <random>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limn/dense/plate_scene.h"
@@ -23,8 +25,8 @@ DrawingGraph PlateDrawing() {
 
 const FusionResult& Fused() {
   static const DrawingGraph graph = PlateDrawing();
-  static const FusionResult result =
-      FuseDrawing({testing::PlateViews(), graph, testing::PlateDepths(), std::nullopt}, {}, {});
+  static const FusionResult result = FuseDrawing(
+      {testing::PlateViews(), graph, testing::PlateDepths(), true, std::nullopt}, {}, {});
   return result;
 }
 
@@ -80,24 +82,37 @@ TEST(FuseDrawing, WithoutOccludedKeepsTheRest) {
 TEST(FuseDrawing, AViewThatIsNotASupporterHasNoSay) {
   DrawingGraph graph = PlateDrawing();
   graph.links[kBelow].supporting_views.clear();
-  const FusionResult result =
-      FuseDrawing({testing::PlateViews(), graph, testing::PlateDepths(), std::nullopt}, {}, {});
+  const FusionResult result = FuseDrawing(
+      {testing::PlateViews(), graph, testing::PlateDepths(), true, std::nullopt}, {}, {});
   EXPECT_FALSE(result.classes.links[kBelow].behind_surface);
 }
 
-// Three views find the surface far behind everything.
+// Makes the depths around a line far.
+void PutFar(ViewId view, const Polyline3d& line, DepthImage* image) {
+  for (int k = 0; k <= 100; ++k) {
+    const Eigen::Vector3d at = line.front() + 0.01 * k * (line.back() - line.front());
+    const Eigen::Vector2i cell = image->CellAt(*testing::PlateViews()[view].Project(at));
+    for (int dy = -8; dy <= 8; ++dy) {
+      for (int dx = -8; dx <= 8; ++dx) {
+        image->depth[image->Index(cell.x() + dx, cell.y() + dy)] = 1e3f;
+      }
+    }
+  }
+}
+
+// Three views find the surface far behind everything near that link.
 TEST(FuseDrawing, ALinkThatEnoughViewsSeeIsNotBehind) {
   const DrawingGraph graph = PlateDrawing();
   const DepthSource plate = testing::PlateDepths();
   const DepthSource some = [&](ViewId view) {
     auto image = plate(view);
-    if (view < 3) std::fill(image->depth.begin(), image->depth.end(), 1e3f);
+    if (view < 3) PutFar(view, graph.links[kBelow].points_in_world, &*image);
     return image;
   };
   const auto behind = [&](double enough) {
     DenseOptions options;
     options.enough_visible_views = enough;
-    return FuseDrawing({testing::PlateViews(), graph, some, std::nullopt}, options, {})
+    return FuseDrawing({testing::PlateViews(), graph, some, true, std::nullopt}, options, {})
         .classes.links[kBelow]
         .behind_surface;
   };
@@ -110,7 +125,7 @@ TEST(FuseDrawing, CloudDecidesWhatIsAdded) {
   const DensePointStream none = [](const DensePointVisitor&) {};
   const DrawingGraph graph = PlateDrawing();
   const FusionResult result =
-      FuseDrawing({testing::PlateViews(), graph, testing::PlateDepths(), none}, {}, {});
+      FuseDrawing({testing::PlateViews(), graph, testing::PlateDepths(), true, none}, {}, {});
   EXPECT_EQ(result.classes.links[kPaint].dense_class, DenseClass::kSurface);
   EXPECT_EQ(result.classes.links[kPaint].added_share, 1);
   EXPECT_NEAR(LengthAdded(result.samples, result.classes), 0.6 + 1.2 + 0.2, 0.1);
@@ -119,16 +134,102 @@ TEST(FuseDrawing, CloudDecidesWhatIsAdded) {
 TEST(FuseDrawing, EmptyDrawingAndNoDepths) {
   const DrawingGraph empty;
   EXPECT_TRUE(
-      FuseDrawing({testing::PlateViews(), empty, testing::PlateDepths(), std::nullopt}, {}, {})
+      FuseDrawing({testing::PlateViews(), empty, testing::PlateDepths(), true, std::nullopt}, {},
+                  {})
           .points.empty());
   const DepthSource nothing = [](ViewId) { return std::nullopt; };
   const DrawingGraph graph = PlateDrawing();
   const FusionResult result =
-      FuseDrawing({testing::PlateViews(), graph, nothing, std::nullopt}, {}, {});
+      FuseDrawing({testing::PlateViews(), graph, nothing, true, std::nullopt}, {}, {});
   for (const LinkDense& link : result.classes.links) {
     EXPECT_FALSE(link.behind_surface);
-    EXPECT_EQ(link.dense_class, DenseClass::kFree);
+    EXPECT_EQ(link.dense_class, DenseClass::kUnknown);
   }
+  EXPECT_EQ(result.trust.num_views, 0u);
+  EXPECT_FALSE(result.trust.is_believed);
+  EXPECT_TRUE(result.trust.has_few_depths);
+}
+
+// Depths of the plate and the drawing of it, seen by all views, that were changed by this.
+template <typename Change>
+FusionResult FuseWith(const Change& change) {
+  static const DrawingGraph graph = PlateDrawing();
+  const DepthSource plate = testing::PlateDepths();
+  const DepthSource changed = [&](ViewId view) {
+    auto image = plate(view);
+    change(view, &*image);
+    return image;
+  };
+  return FuseDrawing({testing::PlateViews(), graph, changed, true, std::nullopt}, {}, {});
+}
+
+void ExpectNothingIsJudged(const FusionResult& result) {
+  EXPECT_FALSE(result.trust.is_believed);
+  for (const LinkDense& link : result.classes.links) {
+    EXPECT_EQ(link.dense_class, DenseClass::kUnknown);
+    EXPECT_FALSE(link.behind_surface);
+  }
+  EXPECT_FALSE(result.points.empty());
+}
+
+TEST(FuseDrawing, DepthsOfAnotherScaleJudgeNothing) {
+  for (const float factor : {0.5F, 1.2F, 100.0F}) {
+    const FusionResult result = FuseWith([=](ViewId, DepthImage* image) {
+      for (float& depth : image->depth) depth *= factor;
+    });
+    ExpectNothingIsJudged(result);
+    EXPECT_EQ(result.trust.cause.kind, DepthCause::Kind::kFactor);
+    EXPECT_NEAR(result.trust.cause.factor / factor, 1, 0.02);
+  }
+}
+
+TEST(FuseDrawing, OtherDepthsJudgeNothingEither) {
+  const FusionResult inverse = FuseWith([](ViewId, DepthImage* image) {
+    for (float& depth : image->depth) depth = depth > 0 ? 1 / depth : 0;
+  });
+  ExpectNothingIsJudged(inverse);
+  EXPECT_EQ(inverse.trust.cause.kind, DepthCause::Kind::kInverse);
+  const FusionResult shifted = FuseWith([](ViewId, DepthImage* image) {
+    const int by = image->width / 4;
+    std::rotate(image->depth.begin(), image->depth.end() - by, image->depth.end());
+  });
+  ExpectNothingIsJudged(shifted);
+  EXPECT_EQ(shifted.trust.cause.kind, DepthCause::Kind::kShifted);
+  std::mt19937 random(1);
+  const FusionResult noise = FuseWith([&](ViewId, DepthImage* image) {
+    std::shuffle(image->depth.begin(), image->depth.end(), random);
+  });
+  ExpectNothingIsJudged(noise);
+  EXPECT_EQ(noise.trust.cause.kind, DepthCause::Kind::kUnknown);
+}
+
+TEST(FuseDrawing, HardlyAnyDepthsJudgeNothing) {
+  const FusionResult result = FuseWith([](ViewId, DepthImage* image) {
+    for (size_t i = 0; i < image->depth.size(); ++i) {
+      if (i % 31 != 0) image->depth[i] = 0;
+    }
+  });
+  ExpectNothingIsJudged(result);
+  EXPECT_TRUE(result.trust.has_few_depths);
+}
+
+TEST(FuseDrawing, DepthsOfOtherViewsAreNotUsed) {
+  const auto num_views = static_cast<ViewId>(testing::PlateViews().size());
+  const DepthSource plate = testing::PlateDepths();
+  const FusionResult all =
+      FuseWith([&](ViewId view, DepthImage* image) { *image = *plate((view + 1) % num_views); });
+  ExpectNothingIsJudged(all);
+  EXPECT_EQ(all.trust.cause.kind, DepthCause::Kind::kOtherViews);
+  const ViewId depths_of = all.trust.cause.depths_of, fit_view = all.trust.cause.fit_view;
+  EXPECT_EQ((depths_of + 1) % num_views, fit_view);
+  const FusionResult some = FuseWith([](ViewId view, DepthImage* image) {
+    for (float& depth : image->depth) depth *= view < 3 ? 1.3F : 1.0F;
+  });
+  EXPECT_TRUE(some.trust.is_believed);
+  EXPECT_EQ(some.trust.cause.kind, DepthCause::Kind::kFactor);
+  EXPECT_THAT(some.trust.unfit, ::testing::ElementsAre(0, 1, 2));
+  EXPECT_EQ(some.classes.links[kPaint].dense_class, DenseClass::kSurface);
+  EXPECT_EQ(some.classes.links[kRim].dense_class, DenseClass::kBoundary);
 }
 
 }  // namespace
