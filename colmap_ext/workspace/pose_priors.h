@@ -36,7 +36,7 @@ using PosePriors = std::map<std::string, PosePrior>;
 // Nothing of its schema is run: views, virtual tables and computed columns are refused.
 //
 // Throws IoError: no database, tables or columns missing, values of wrong size or impossible,
-// positions of both kinds, more work than any database of COLMAP takes (some seconds).
+// positions of both kinds, more work than any database of COLMAP takes (seconds).
 PosePriors ReadPosePriors(const std::filesystem::path& path, const std::set<std::string>& images);
 
 }  // namespace limn::colmap_ext
