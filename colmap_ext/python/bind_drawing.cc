@@ -514,8 +514,6 @@ py::object Interop(const char* name) { return py::module_::import("limn._interop
 }  // namespace
 
 void BindDrawing(py::module_* module) {
-  module->def("_drawing", ToDrawing);
-  module->def("_round_body", ToBody);
   BindRoundBody(module);
   BindPrimitive(module);
   BindLink(module);
@@ -528,6 +526,9 @@ void BindDrawing(py::module_* module) {
                   [](const SceneDrawing& drawing) { return drawing.graph.nodes.size(); });
   BindItems<Face>(module, "Faces", "faces", "The faces of a drawing, a sequence.",
                   [](const SceneDrawing& drawing) { return drawing.graph.faces.size(); });
+  module->def("make_round_body", ToBody, py::arg("shape"), py::arg("start"), py::arg("end"),
+              py::arg("start_radius"), py::arg("end_radius"), py::arg("radius_sigma"),
+              py::arg("rms_px"));
   py::class_<SceneDrawing, Owner>(*module, "Drawing",
                                   "A 3D drawing: curves in space (links) that meet at nodes.")
       .def_property_readonly(
@@ -599,6 +600,7 @@ void BindDrawing(py::module_* module) {
         return "<limn.Drawing of " + std::to_string(drawing.graph.links.size()) + " links and " +
                std::to_string(drawing.graph.nodes.size()) + " nodes>";
       });
+  module->def("make_drawing", ToDrawing, py::arg("json_text"));
 }
 
 }  // namespace limn::colmap_ext

@@ -140,7 +140,6 @@ ViewId ViewNamed(const std::vector<View>& views, const std::string& name) {
 }
 
 void BindScene(py::module_* module) {
-  module->def("_camera", ToCamera);
   py::class_<SceneCamera>(
       *module, "Camera",
       "A pinhole camera with a pose: x_px = K (R X + t). The center of the top-left "
@@ -173,6 +172,9 @@ void BindScene(py::module_* module) {
           "Whether the photograph has distortion.")
       .def("__reduce__", PickledCamera)
       .def("__repr__", [](const SceneCamera& c) { return "<limn.Camera of '" + c.name + "'>"; });
+
+  module->def("make_camera", ToCamera, py::arg("name"), py::arg("width"), py::arg("height"),
+              py::arg("pinhole"), py::arg("turn"), py::arg("shift"), py::arg("has_lens"));
 
   py::class_<OpenScene, std::shared_ptr<OpenScene>>(
       *module, "Scene",

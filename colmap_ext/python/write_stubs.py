@@ -33,16 +33,27 @@ def python_types(signature):
     return signature
 
 
+def signatures_of(function, name):
+    """One, or those of its overloads, which pybind11 numbers."""
+    lines = (function.__doc__ or "").strip().splitlines()
+    if lines[1:2] == ["Overloaded function."]:
+        lines = [line.partition(". ")[2] for line in lines if re.match(r"\d+\. \w+\(", line)]
+    else:
+        lines = lines[:1]
+    matches = [re.match(r"\w*(\(.*\)( -> .*)?)$", line) for line in lines]
+    if not matches or None in matches:
+        raise SystemExit(f"write_stubs.py: no signature of {name}: {lines!r}")
+    return [python_types(match.group(1)) for match in matches]
+
+
 def signature_of(function, name):
-    first = (function.__doc__ or "").strip().splitlines()[0]
-    match = re.match(r"\w*(\(.*\)( -> .*)?)$", first)
-    if not match:
-        raise SystemExit(f"write_stubs.py: no signature of {name}: {first!r}")
-    return python_types(match.group(1))
+    return signatures_of(function, name)[0]
 
 
 def stub_of_function(function, name, indent):
-    return f"{indent}def {name}{signature_of(function, name)}: ...\n"
+    signatures = signatures_of(function, name)
+    overload = f"{indent}@typing.overload\n" if len(signatures) > 1 else ""
+    return "".join(f"{overload}{indent}def {name}{signature}: ...\n" for signature in signatures)
 
 
 def item_of(bound):

@@ -23,9 +23,9 @@ constexpr int kSystemWgs84 = 0;
 
 // Longer than any name or matrix, and than the text of any table of COLMAP.
 constexpr int kMaxValueBytes = 1 << 20;
-// Steps of SQLite's machine, some seconds: a row takes tens of them.
+// Steps of SQLite's machine, about a second: a row takes tens of them.
 constexpr int kStepsPerCall = 1'000'000;
-constexpr int kMaxCalls = 300;
+constexpr int kMaxCalls = 100;
 
 // A path as the URI of SQLite; the file is read as it is, without locks and logs.
 std::string ImmutableUri(const std::filesystem::path& path) {

@@ -11,13 +11,13 @@ def scene(options: dict[str, Any]) -> Any:
 
 
 def camera(*values: Any) -> Any:
-    return _limn._camera(*values)
+    return _limn.make_camera(*values)
 
 
 def drawing(text: bytes) -> Any:
     """A drawing without its scene."""
-    return _limn._drawing(text)
+    return _limn.make_drawing(text)
 
 
 def round_body(*values: Any) -> Any:
-    return _limn._round_body(*values)
+    return _limn.make_round_body(*values)

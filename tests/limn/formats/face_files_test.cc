@@ -128,7 +128,7 @@ TEST(FaceFiles, BrokenFacesAreRefused) {
       {patch, R"("side_starts":[0,1,2,3,4])", R"("side_starts":[1,2,3,4])",
        "cannot have such loops"},
       {patch, R"("side_starts":[0,1,2,3,4])", R"("side_starts":[0])", "cannot have such loops"},
-      {patch, R"("vertices":[[)", R"("vertices":[[0,1],[)", "out of range"},
+      {patch, R"("vertices":[[)", R"("vertices":[[0,1],[)", "a list of 3 numbers expected"},
   };
   for (const auto& [text, from, to, complaint] : cases) {
     SCOPED_TRACE(from + " -> " + to);

@@ -85,7 +85,7 @@ TEST(JsonEdits, ComplaintsNameThePlace) {
   EXPECT_EQ(of_edit(R"({"edit": "set_kind", "links": [)" + kRef + R"(], "kind": "red"})"),
             "e.json: edits[0].kind: unknown kind of link \"red\"");
   EXPECT_EQ(of_edit(R"({"edit": "split", "link": )" + kRef + R"(, "at": [1, 2]})"),
-            "e.json: edits[0].at: a list of 3 expected, not of 2");
+            "e.json: edits[0].at: a list of 3 numbers expected");
   EXPECT_EQ(of_edit(R"({"edit": "join", "ends": [{"link": )" + kRef + R"(, "end": 2}, 1]})"),
             "e.json: edits[0].ends[0].end: 0 or 1 expected");
   EXPECT_EQ(of_points("[[0, 0, 0]]"),

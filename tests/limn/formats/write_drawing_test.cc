@@ -563,9 +563,9 @@ TEST(WriteDrawing, JsonKeepsTheAlignment) {
         folder.Write("bad.json", std::string(text).replace(at, from.size(), to));
     EXPECT_THAT([&] { ReadDrawingJson(bad); }, ThrowsMessage<IoError>(HasSubstr(reason))) << from;
   };
-  fails("\"scale\":0.3", "\"scale\":-0.3", "\"world_from_model\": the scale is not positive");
-  fails("[1.0,0.0,0.0]", "[1.0,0.1,0.0]", "\"world_from_model\": the matrix is not a rotation");
-  fails("\"unit\":\"m\"", "\"unit\":\"none\"", "\"world_from_model\": the unit is not \"m\"");
+  fails("\"scale\":0.3", "\"scale\":-0.3", "world_from_model: the scale is not positive");
+  fails("[1.0,0.0,0.0]", "[1.0,0.1,0.0]", "world_from_model: the matrix is not a rotation");
+  fails("\"unit\":\"m\"", "\"unit\":\"none\"", "world_from_model.unit: not \"m\"");
   fails("\"up_from\":\"positions\"", "\"up_from\":\"stars\"", "unknown source \"stars\"");
   fails("\"axes_from\"", "\"axes\"", "axes_from");
   fails("[1.0,0.0,0.0]", "[1.0,0.0]", "bad.json");

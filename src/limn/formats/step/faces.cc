@@ -103,6 +103,11 @@ class FaceMaker {
   }
 
   std::optional<TopoDS_Face> Make() {
+    // OpenCASCADE compares every edge with all others.
+    constexpr size_t kMaxEdges = 500;
+    size_t num_edges = 0;
+    for (const Wire& side : sides_) num_edges += side.size();
+    if (num_edges > kMaxEdges) return std::nullopt;
     if (face_.surface == FaceSurface::kPlane) return Checked(MakePlane());
     const double tolerance = 0.004 * max_gap_;
     const StepSurfaces surfaces = face_.surface == FaceSurface::kRuled

@@ -16,8 +16,8 @@ namespace limn {
 // ruled ones between arcs around one axis a cylinder or cone, else of straight lines from rail to
 // rail; for patches of four sides Coons', for others the smoothest surface through the sides.
 // Tolerances of edges grow to their distances from the surface. Nothing if these exceed
-// `max_gap_rel` of the size of the sheet, or OpenCASCADE finds no surface or calls the face
-// invalid.
+// `max_gap_rel` of the size of the sheet, the border has more than 500 edges, or OpenCASCADE finds
+// no surface or calls the face invalid.
 std::optional<TopoDS_Face> MakeStepFace(const DrawingGraph& graph, const BorderSheet& sheet,
                                         const std::vector<TopoDS_Edge>& edges, double max_gap_rel);
 
