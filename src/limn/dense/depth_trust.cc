@@ -40,7 +40,7 @@ DepthAgreement PooledOf(const std::vector<ViewAgreement>& agreements,
 }
 
 bool IsExchanged(const OwnAndOther& test) {
-  return test.own && test.best_other > *test.own + kOtherIsBetter;
+  return test.own && test.best_of >= 0 && test.best_other > *test.own + kOtherIsBetter;
 }
 
 }  // namespace
