@@ -91,7 +91,8 @@ std::string PositionDoubtText(const AlignmentResult& result,
              Residuals(result, "stretched by " + StretchText(result.position_check.stretch));
     case PositionDoubt::kAnyOrder:
       return begin + "they fit within " + Meters(result.positions->median_residual) +
-             " (median), no better than in another order: they are of other images, many are wrong, "
+             " (median), no better than in another order: they are of other images, many are "
+             "wrong, "
              "or their errors are as large as the distances of the cameras; farthest are " +
              ListNumbers(PositionsBeyond(result, -1, set), "m");
     case PositionDoubt::kManyWrong:

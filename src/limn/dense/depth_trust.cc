@@ -40,7 +40,7 @@ DepthAgreement PooledOf(const std::vector<ViewAgreement>& agreements,
 }
 
 bool IsExchanged(const OwnAndOther& test) {
-  return test.own && test.best_other > *test.own + kOtherIsBetter;
+  return test.own && test.best_of >= 0 && test.best_other > *test.own + kOtherIsBetter;
 }
 
 }  // namespace
@@ -87,10 +87,9 @@ std::vector<ViewId> DepthWatch::UnfitViews() const {
   for (const auto& [view, agreement] : agreements_) {
     const bool fits = !CanBeDoubted(agreement) || agreement.near >= kNearEverywhere ||
                       agreement.BeyondChance() >= least;
-    const bool is_exchanged =
-        std::any_of(tests_.begin(), tests_.end(), [view = view](const OwnAndOther& test) {
-          return test.view == view && IsExchanged(test);
-        });
+    const bool is_exchanged = std::any_of(
+        tests_.begin(), tests_.end(),
+        [view = view](const OwnAndOther& test) { return test.view == view && IsExchanged(test); });
     if (!fits || is_exchanged) unfit.push_back(view);
   }
   std::sort(unfit.begin(), unfit.end());

@@ -32,7 +32,7 @@ struct ViewAgreement {
 struct OwnAndOther {
   ViewId view = -1;
   std::vector<SeenPlace> places;
-  std::optional<double> own;
+  std::optional<double> own = std::nullopt;
   double best_other = 0;
   ViewId best_of = -1;
 };
