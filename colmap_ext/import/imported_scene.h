@@ -24,14 +24,17 @@ struct ImportedImage {
   Rigid3d cam_from_world;
   // In the pixels of the format.
   std::vector<Observation> observations;
-  // The file of its mask, if the format names one; empty: none.
-  std::string mask = "";
   // Where in the file it was found, for messages.
   std::string path;
   const char* unit = "line";
   uint64_t number = 1;
+<<<<<<< HEAD
   // That of the image file, if it may differ from the camera's; else zero.
   ImageSize file_size = {};
+=======
+  // The file of its mask, if the format names one; empty: none.
+  std::string mask = "";
+>>>>>>> h-names
 };
 
 // The content of another program's file, in COLMAP's axes (x right, y down, z forward).

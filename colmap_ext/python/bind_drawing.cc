@@ -1,6 +1,8 @@
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <variant>
@@ -13,6 +15,7 @@
 #include "colmap_ext/python/arrays.h"
 #include "colmap_ext/python/bindings.h"
 #include "colmap_ext/python/run_free.h"
+#include "colmap_ext/workspace/view_set.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/link_selection.h"

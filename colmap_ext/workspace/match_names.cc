@@ -72,14 +72,19 @@ std::vector<Way> AllWays() {
   return ways;
 }
 
-// Per name the file under one way; -1 where there is none, or several names or files of that text.
+constexpr int kNone = -1;
+constexpr int kSeveral = -2;
+
+// Per name the file under one way; kNone, or kSeveral names or files of that text.
 std::vector<int> FilesUnder(const std::vector<std::string>& names, const Places& files,
                             const std::vector<char>& is_open) {
   const Places own = PlacesOf(names, is_open);
-  std::vector<int> file_of(names.size(), -1);
-  for (const auto& [text, name] : own) {
-    const auto file = files.find(text);
-    if (name >= 0 && file != files.end()) file_of[name] = file->second;
+  std::vector<int> file_of(names.size(), kNone);
+  for (size_t i = 0; i < names.size(); ++i) {
+    const auto file = is_open[i] ? files.find(names[i]) : files.end();
+    if (names[i].empty() || file == files.end()) continue;
+    const bool is_one = own.at(names[i]) >= 0 && file->second >= 0;
+    file_of[i] = is_one ? file->second : kSeveral;
   }
   return file_of;
 }
@@ -118,6 +123,9 @@ class Matcher {
   }
 
   NameMatches Run() {
+    // What is ambiguous as it stands is not decided by another encoding.
+    Close(FilesUnder(texts_of_names_.Under(0), PlacesOf(texts_of_files_.Under(0), is_free_),
+                     is_open_));
     for (int rounds = 0; rounds < kMaxRounds; ++rounds) {
       const Round round = BestRound();
       if (round.count == 0) break;
@@ -127,6 +135,13 @@ class Matcher {
   }
 
  private:
+  // Names that fit several files, or share one, have none.
+  void Close(const std::vector<int>& file_of) {
+    for (size_t i = 0; i < file_of.size(); ++i) {
+      if (file_of[i] == kSeveral) is_open_[i] = 0;
+    }
+  }
+
   // Of the ways that match most names the first; the others must not contradict it.
   Round BestRound() const {
     Round best;
@@ -162,6 +177,7 @@ class Matcher {
       if (is_open_[name.name]) matches_.ambiguous.push_back(name);
       is_open_[name.name] = 0;
     }
+    Close(round.file_of);
     int count = 0, example = -1;
     for (size_t i = 0; i < names_.size(); ++i) {
       const int file = round.file_of[i];

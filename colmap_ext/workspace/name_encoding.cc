@@ -67,6 +67,15 @@ std::optional<std::string> FromUtf16(const Utf16& text, const std::string& code_
   return bytes;
 }
 
+// What a program took for text of a code page, as it was before. Code pages have one micro sign,
+// Unicode has two.
+std::optional<std::string> Unconverted(Utf16 text, const std::string& code_page) {
+  if (auto bytes = FromUtf16(text, code_page)) return bytes;
+  constexpr UChar kMicro = 0x00B5, kGreekMu = 0x03BC;
+  std::ranges::replace(text, kMicro, kGreekMu);
+  return FromUtf16(text, code_page);
+}
+
 std::optional<Utf16> Composed(const Utf16& text) {
   UErrorCode error = U_ZERO_ERROR;
   const UNormalizer2* normalizer = unorm2_getNFCInstance(&error);
@@ -86,6 +95,7 @@ std::vector<NameEncoding> AllEncodings() {
   for (const char* mistake : kMistakes) {
     all.push_back({std::string("UTF-8 read as ") + mistake, "", mistake});
     for (const char* page : kCodePages) {
+      if (page == std::string_view(mistake)) continue;
       all.push_back({std::string(page) + " read as " + mistake, page, mistake});
     }
   }
@@ -103,7 +113,7 @@ std::optional<std::string> TextOfName(std::string_view bytes, const NameEncoding
   std::string original(bytes);
   if (!encoding.mistaken_for.empty()) {
     const auto mistaken = ToUtf16(bytes, kUtf8);
-    auto before = mistaken ? FromUtf16(*mistaken, encoding.mistaken_for) : std::nullopt;
+    auto before = mistaken ? Unconverted(*mistaken, encoding.mistaken_for) : std::nullopt;
     if (!before) return std::nullopt;
     original = std::move(*before);
   }
