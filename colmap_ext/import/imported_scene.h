@@ -28,13 +28,10 @@ struct ImportedImage {
   std::string path;
   const char* unit = "line";
   uint64_t number = 1;
-<<<<<<< HEAD
   // That of the image file, if it may differ from the camera's; else zero.
   ImageSize file_size = {};
-=======
   // The file of its mask, if the format names one; empty: none.
   std::string mask = "";
->>>>>>> h-names
 };
 
 // The content of another program's file, in COLMAP's axes (x right, y down, z forward).
