@@ -205,7 +205,7 @@ const CorpusCase kCases[] = {
            w.MakeBinary();
            w.Replace("sparse/images.bin", "view_02.jpg", "view\n02.jpg");
          },
-     .said = {"view?02.jpg: the image is registered in the model but missing on disk"}},
+     .said = {"view\\x0a02.jpg: the image is registered in the model but missing on disk"}},
     {.name = "Case21_DuplicatesAfterTruncation",
      .spoil = [](const W& w) { w.Replace("sparse/images.txt", "view_02.jpg", "view_01.jpg "); },
      .said = {"image 3: image name \"view_01.jpg\" occurs twice"}},
