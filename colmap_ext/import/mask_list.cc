@@ -19,16 +19,15 @@ std::string RelativePath(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-void WriteMaskList(const ImageMasks& masks, const fs::path& model_dir, const fs::path& folder) {
+void WriteMaskList(const ImageMasks& masks, const fs::path& model_dir, const OutputPath& folder) {
   constexpr const char* kSeparators = "\t\n\r";
-  const std::string path = (folder / kMaskList).string();
   for (const auto& [image, mask] : masks) {
     if ((image + mask).find_first_of(kSeparators) != std::string::npos) {
       throw IoError(mask, "the name of this mask or of its image has a tab or a line end, which " +
                               std::string(kMaskList) + " cannot hold: rename it");
     }
   }
-  WriteFileAtomically(path, [&](std::ostream& out) {
+  WriteFileAtomically(folder / kMaskList, [&](std::ostream& out) {
     out << "# IMAGE_NAME<tab>MASK, relative to this folder; 0 = do not use\n";
     for (const auto& [image, mask] : masks) {
       out << image << '\t' << RelativePath(mask, model_dir) << '\n';

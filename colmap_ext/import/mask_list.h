@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "limn/files/output_path.h"
+
 namespace limn::colmap_ext {
 
 // The masks of images, by the names of these.
@@ -13,6 +15,6 @@ using ImageMasks = std::map<std::string, std::string>;
 // `model_dir`, with paths relative to that. Throws IoError, also for names that a line of the list
 // cannot hold.
 void WriteMaskList(const ImageMasks& masks, const std::filesystem::path& model_dir,
-                   const std::filesystem::path& folder);
+                   const OutputPath& folder);
 
 }  // namespace limn::colmap_ext

@@ -1,6 +1,5 @@
 #include "colmap_ext/verbs/import_model.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,11 +14,10 @@ void RunImporter(const ImporterOptions& options, Console* console) {
   const SparseModel& model = imported.model;
   for (const std::string& note : notes) console->Say(note);
   for (const std::string& warning : model.warnings) console->Say("WARNING: " + warning);
-  WriteNewModel(model, options.output_path, options.output_type,
-                [&](const std::filesystem::path& folder) {
-                  if (imported.masks.empty()) return;
-                  WriteMaskList(imported.masks, options.output_path, folder);
-                });
+  WriteNewModel(model, options.output_path, options.output_type, [&](const OutputPath& folder) {
+    if (imported.masks.empty()) return;
+    WriteMaskList(imported.masks, options.output_path, folder);
+  });
   console->Say("Written: " + options.output_path + " with " + std::to_string(model.cameras.size()) +
                " cameras, " + std::to_string(model.images.size()) + " images, " +
                std::to_string(model.points.size()) + " points");

@@ -22,7 +22,7 @@ constexpr double kMaxUnfitShare = 0.5;
 
 bool CanBeDoubted(const DepthAgreement& agreement) { return agreement.num_known >= kEnoughPlaces; }
 
-double UsualAgreement(const std::vector<ViewAgreement>& agreements) {
+double UsualAgreement(const std::vector<ViewDepthAgreement>& agreements) {
   std::vector<double> beyond_chance;
   for (const auto& [view, agreement] : agreements) {
     if (CanBeDoubted(agreement)) beyond_chance.push_back(agreement.BeyondChance());
@@ -30,7 +30,7 @@ double UsualAgreement(const std::vector<ViewAgreement>& agreements) {
   return Median(beyond_chance);
 }
 
-DepthAgreement PooledOf(const std::vector<ViewAgreement>& agreements,
+DepthAgreement PooledOf(const std::vector<ViewDepthAgreement>& agreements,
                         const std::vector<ViewId>& without) {
   std::vector<DepthAgreement> pooled;
   for (const auto& [view, agreement] : agreements) {

@@ -22,7 +22,7 @@ struct DepthTrust {
 };
 
 // How the depths of a view agree with the drawing.
-struct ViewAgreement {
+struct ViewDepthAgreement {
   ViewId view = -1;
   DepthAgreement agreement;
 };
@@ -58,7 +58,7 @@ class DepthWatch {
   const std::vector<View>& views_;
   bool are_separate_;
   DenseOptions options_;
-  std::vector<ViewAgreement> agreements_;
+  std::vector<ViewDepthAgreement> agreements_;
   std::vector<OwnAndOther> tests_;
 };
 
