@@ -76,7 +76,7 @@ def main():
     parser.add_argument("--limn", required=True)
     parser.add_argument("--output_path", required=True, type=Path)
     parser.add_argument("--data_path", type=Path, default=ROOT / "../shared/data")
-    parser.add_argument("--only", nargs="*", default=["*"])
+    parser.add_argument("--only", nargs="+", default=["*"])
     parser.add_argument("--seed", type=int, default=1)
     arguments, options = parser.parse_known_args()
     counts = {True: [0, 0], False: [0, 0]}
