@@ -73,7 +73,7 @@ void InterruptWatch::Watch() {
 }
 
 void InterruptWatch::Interrupt() {
-  if (!is_sent_.exchange(true)) pthread_kill(thread_.native_handle(), SIGTERM);
+  if (!interrupted_ && !is_sent_.exchange(true)) pthread_kill(thread_.native_handle(), SIGTERM);
 }
 
 void InterruptWatch::SayLastWords() {

@@ -62,8 +62,9 @@ std::vector<std::string> ImageFolder::Names() const {
   return names;
 }
 
-std::optional<std::string> ImageFolder::FindByFileName(const std::string& file_name,
+std::optional<std::string> ImageFolder::FindByFileName(const fs::path& name,
                                                        const FilePlace& place) {
+  const std::string file_name = name.filename().string();
   if (!is_indexed_) {
     is_indexed_ = true;
     for (const fs::path& file : SearchShallow(path_, 3).files) {
@@ -78,11 +79,18 @@ std::optional<std::string> ImageFolder::FindByFileName(const std::string& file_n
   for (const Index* index : {&direct_, &below_}) {
     const auto found = index->find(key);
     if (found == index->end()) continue;
-    if (found->second.size() > 1) {
-      place.Fail("image \"" + file_name + "\" may be " + found->second[0] + " or " +
-                 found->second[1] + " in the image folder " + path_.string());
+    std::vector<std::string> fitting = found->second;
+    // The same file name in the folder of another camera is another image.
+    std::erase_if(fitting, [&](const fs::path& file) {
+      return index == &below_ && name.has_parent_path() &&
+             file.parent_path().filename() != name.parent_path().filename();
+    });
+    if (fitting.empty() || (fitting.size() > 1 && skip_missing_)) continue;
+    if (fitting.size() > 1) {
+      place.Fail("image \"" + file_name + "\" may be " + fitting[0] + " or " + fitting[1] +
+                 " in the image folder " + path_.string());
     }
-    return found->second.front();
+    return fitting.front();
   }
   return std::nullopt;
 }
@@ -97,7 +105,7 @@ std::optional<FoundImage> ImageFolder::Find(const std::string& name, const fs::p
     if (inside.empty() || !IsFile(candidate)) continue;
     return FoundImage{inside.generic_string(), ReadImageSize(candidate)};
   }
-  if (const auto found = FindByFileName(fs::path(slashed).filename().string(), place)) {
+  if (const auto found = FindByFileName(slashed, place)) {
     return FoundImage{*found, ReadImageSize(path_ / *found)};
   }
   if (!skip_missing_) {

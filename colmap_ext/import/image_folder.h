@@ -35,10 +35,11 @@ class ImageFolder {
   //   name          relative to `base`, if that leads into the image folder
   //   file name     (without folders, either slash) in the image folder
   //   the same      with any extension of an image, where it has none, in the image folder
-  //   file name     in the folders below, with any extension where it has none
+  //   file name     in the folders below, with any extension where it has none; if the name has
+  //                 folders, only in one of the name of its last
   // Throws IoError via `place` if there is none, or if several fit in the last two ways, and
-  // IoError if its size cannot be read. Returns nothing, and records the name, if it is missing and
-  // missing images are skipped.
+  // IoError if its size cannot be read. Returns nothing, and records the name, if it is missing, or
+  // several fit, and missing images are skipped.
   std::optional<FoundImage> Find(const std::string& name, const std::filesystem::path& base,
                                  const FilePlace& place);
 
@@ -49,7 +50,8 @@ class ImageFolder {
   // Of images by file name, and by file name without extension: paths relative to the folder.
   using Index = std::map<std::string, std::vector<std::string>>;
 
-  std::optional<std::string> FindByFileName(const std::string& file_name, const FilePlace& place);
+  std::optional<std::string> FindByFileName(const std::filesystem::path& name,
+                                            const FilePlace& place);
 
   std::filesystem::path path_;
   bool skip_missing_;

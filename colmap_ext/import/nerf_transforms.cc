@@ -1,5 +1,6 @@
 #include "colmap_ext/import/nerf_transforms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -80,9 +81,6 @@ void SetCamera(const Entries& entries, const FoundImage& found, ImportedImage* i
   const BrownLens lens = {
       {extra("k1"), extra("k2"), extra("k3"), extra("k4")}, extra("p1"), extra("p2")};
   if (IsFisheye(entries)) {
-    if (lens.p1 != 0 || lens.p2 != 0) {
-      entries.place().Fail("a fisheye camera with p1 or p2: OPENCV_FISHEYE has none");
-    }
     SetFisheyeLens(lens, &camera);
   } else {
     SetBrownLens(lens, entries.place(), &camera);

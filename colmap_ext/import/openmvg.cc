@@ -216,7 +216,7 @@ bool HoldsOpenmvg(const fs::path& path) { return HoldsCameraFile(path, kOpenmvgT
 
 ImportedScene ReadOpenmvg(const ImportInput& input) {
   const std::string path = TheCameraFile(input.path, kOpenmvgType).string();
-  const Json file = ParseJson(path, ReadWholeFile(path, kMaxJsonBytes));
+  const Json file = ParseJson(path, ReadWholeFile(path, kMaxJsonBytes), kMaxLargeJsonValues);
   return OpenmvgReader(file, path, input.images).Read();
 }
 

@@ -167,7 +167,7 @@ bool HoldsOpensfm(const fs::path& path) { return HoldsCameraFile(path, kOpensfmT
 
 ImportedScene ReadOpensfm(const ImportInput& input) {
   const std::string path = TheCameraFile(input.path, kOpensfmType).string();
-  const Json file = ParseJson(path, ReadWholeFile(path, kMaxJsonBytes));
+  const Json file = ParseJson(path, ReadWholeFile(path, kMaxJsonBytes), kMaxLargeJsonValues);
   const FilePlace start{path, "line", 1};
   const Json& chosen = ChooseReconstruction(file, input.model_index, start);
   const Json& cameras = ObjectMember(chosen, "cameras", start);

@@ -49,7 +49,7 @@ void WriteTitle(const std::string& command, const std::string& summary, std::ost
 void WriteOption(const OptionDescription& option, std::ostream& out) {
   out << ".TP\n" << Bold("--" + option.name) << " ";
   for (size_t i = 0; i < option.words.size(); ++i) {
-    out << (i == 0 ? "" : "|") << Bold(option.words[i]);
+    out << (i == 0 ? "" : "|\\:") << Bold(option.words[i]);
   }
   if (option.words.empty()) out << Italic(option.value);
   out << "\n" << ManText(option.text);

@@ -136,6 +136,9 @@ Json ToJson(const Trust& trust) {
           {"right", OrNull(trust.right)},
           {"tentative", OrNull(trust.tentative)},
           {"unmeasured", OrNull(trust.unmeasured)},
+          {"apart", trust.apart},
+          {"shared_if_apart", trust.shared_if_apart},
+          {"at_other_depths", OrNull(trust.at_other_depths)},
           {"still", OrNull(trust.still)}};
 }
 

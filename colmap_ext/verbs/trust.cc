@@ -32,6 +32,8 @@ constexpr double kMuchUnmeasured = 0.1;
 constexpr double kMostUnmeasured = 0.5;
 // Some edgels seem to stand still by chance; more than this is worth a warning.
 constexpr double kMuchStill = 0.1;
+// However much stands still, this share of the edges must be explained as usual.
+constexpr double kLeastMoving = 0.25;
 // With right cameras and enough photographs some percent are doubtful.
 constexpr double kMuchTentative = 0.4;
 // Some edges are seen behind others by chance; more of those drawn than this at several depths are
@@ -109,6 +111,8 @@ void AddExplanations(const std::vector<View>& views, const std::vector<ImageCurv
 
 void AddWeakCut(const ViewSet& set, const std::vector<View>& views, const DrawingGraph& graph,
                 Trust* trust) {
+  // Parts of panoramas are no images, and have no cameras of their own.
+  if (trust->num_images != views.size()) return;
   const auto cut = FindWeakCut(static_cast<int>(views.size()), MeasureSharedSupport(views, graph));
   if (!cut) return;
   for (const ViewId v : cut->smaller) {
@@ -157,7 +161,7 @@ void AddCertainty(const ViewSet& set, const std::vector<View>& views, const Draw
 // Of the edges that do not stand still: the others are not of the scene, as the background before
 // which an object turned.
 bool ExplainsNothing(const Trust& trust, bool has_box) {
-  const double moving_share = 1 - trust.still.value_or(0);
+  const double moving_share = std::max(kLeastMoving, 1 - trust.still.value_or(0));
   return trust.explained &&
          *trust.explained < moving_share * (has_box ? kNextToNothingInBox : kNextToNothing);
 }
@@ -262,10 +266,13 @@ Verdict VerdictOf(const Trust& trust, bool has_box) {
 void SayTrust(const Trust& trust, bool has_box, Console* console) {
   if (trust.explained) SayAgreement(trust, has_box, console);
   if (trust.tentative) {
-    const bool is_much = *trust.tentative > kMuchTentative;
+    const bool is_much = *trust.tentative - trust.unmeasured.value_or(0) > kMuchTentative;
     console->Say((is_much ? "WARNING: " : "") + Percent(*trust.tentative) +
                  " of the length found is doubtful, hence tentative and not exported" +
-                 (is_much ? ": the images hardly agree. Look at the cameras first" : ""));
+                 (is_much
+                      ? ": the images do not agree about it. Look at the cameras first, or take "
+                        "photographs farther apart"
+                      : ""));
   }
   if (trust.unmeasured.value_or(0) > kMuchUnmeasured) {
     console->Say("WARNING: the depth of " + Percent(*trust.unmeasured) +

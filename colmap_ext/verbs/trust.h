@@ -34,7 +34,8 @@ struct Trust {
   // percentage of their edges that are drawn, least first.
   std::vector<NamedNumber> without_edges, agree_less;
   // Images whose cameras do not fit those of the others (limn/evaluation/weak_cut.h), with what
-  // they share of what they would share if all fitted. Empty if all do.
+  // they share of what they would share if all fitted. Empty if all do,
+  // and with panoramas.
   std::vector<std::string> apart;
   double shared_if_apart = 1;
   // Share of the length that kManyImages or more see.

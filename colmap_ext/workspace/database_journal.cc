@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "colmap_ext/workspace/camera_files.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -44,7 +45,7 @@ bool MayBegin(const fs::path& path, const std::array<unsigned char, kSize>& magi
                                        ": a program is writing to the database, or was stopped "
                                        "while it did; close it, or if none runs let sqlite3 finish "
                                        "its work: sqlite3 " +
-                                       database.string() +
+                                       ShellWord(database.string()) +
                                        " \"PRAGMA wal_checkpoint; SELECT "
                                        "count(*) FROM sqlite_master\"");
 }

@@ -21,11 +21,13 @@ constexpr double kSamePosePx = 0.25;
 constexpr double kCopyPosePx = 2;
 constexpr double kSamePictureLevels = 2;
 constexpr int kPictureSize = 64;
-// Copies differ less, px by px, than by this share of what a shift by one px would change, or by
-// this much, as pictures that were compressed again do.
+// Copies differ, px by px, by less than this share of what the difference of their poses would
+// change. Where that is less than the second in pictures of this size, nothing tells.
 constexpr int kCopySize = 1024;
 constexpr double kCopyShare = 0.5;
-constexpr double kCopyLevels = 1;
+constexpr double kLeastTellingPx = 0.5;
+// A picture is compared with so many others.
+constexpr int kMaxCompared = 8;
 // Of the distances of cameras from their middle: poses that differ by more are never compared.
 constexpr double kMaxRelativeDistance = 1e-2;
 
@@ -66,13 +68,15 @@ double MeanDifference(const Image& a, const Image& b, int shift_x, int shift_y) 
   return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
-// Pictures of the same place that were taken apart are displaced, copies are not.
-bool AreCopies(const Image& a, const Image& b) {
+// Pictures of the same place that were taken apart, by so many px of the large image, are
+// displaced; copies are not.
+bool AreCopies(const Image& a, const Image& b, double apart_px) {
   if (a.data.empty() || a.width != b.width || a.height != b.height || a.channels != b.channels) {
     return false;
   }
-  const double of_shift = (MeanDifference(a, a, 1, 0) + MeanDifference(a, a, 0, 1)) / 2;
-  return MeanDifference(a, b, 0, 0) <= std::max(kCopyShare * of_shift, kCopyLevels);
+  if (apart_px < kLeastTellingPx) return false;
+  const double of_px = (MeanDifference(a, a, 1, 0) + MeanDifference(a, a, 0, 1)) / 2;
+  return MeanDifference(a, b, 0, 0) <= kCopyShare * std::min(1.0, apart_px) * of_px;
 }
 
 // Looks for nearly the same pictures from nearly the same poses.
@@ -95,6 +99,8 @@ class PoseComparison {
   // The first image before i that has no original and is the same view, or -1.
   int FirstSameView(int i, const std::vector<int>& original) {
     int first = -1;
+    int num_compared = 0;
+    Image large;
     const double x = centers_[i][axis_];
     auto near = std::lower_bound(order_.begin(), order_.end(), x - max_distance_,
                                  [&](int k, double value) { return centers_[k][axis_] < value; });
@@ -102,8 +108,16 @@ class PoseComparison {
       const int k = *near;
       if (k >= i || original[k] >= 0 || (first >= 0 && k > first)) continue;
       const double px = PoseDifferencePx(k, i);
-      if (px > kCopyPosePx || !IsSamePicture(PictureOf(k), PictureOf(i))) continue;
-      if (px <= kSamePosePx || AreCopies(LargePictureOf(k), LargePictureOf(i))) first = k;
+      if (!(px <= kCopyPosePx) || !IsSamePicture(PictureOf(k), PictureOf(i))) continue;
+      if (px <= kSamePosePx) {
+        first = k;
+      } else if (++num_compared <= kMaxCompared) {
+        if (large.data.empty()) large = ReadPicture(i, kCopySize);
+        const double longer = std::max(CameraOf(i).width, CameraOf(i).height);
+        if (AreCopies(ReadPicture(k, kCopySize), large, px * std::min(1.0, kCopySize / longer))) {
+          first = k;
+        }
+      }
     }
     return first;
   }
@@ -132,11 +146,14 @@ class PoseComparison {
                      [&](int a, int b) { return centers_[a][axis_] < centers_[b][axis_]; });
   }
 
+  const Camera& CameraOf(int i) const { return model_.CameraOf(model_.images[images_[i]]); }
+
   // By how much the difference of two poses moves what is at the median depth of the points, which
-  // is guessed without any.
+  // is guessed without any. Infinite if it is much.
   double PoseDifferencePx(int a, int b) {
     const double distance = (centers_[a] - centers_[b]).norm();
-    if (distance == 0 && spread_ == 0) return TurnPx(a, b);
+    if (!(distance <= max_distance_) || !(TurnPx(a, b) <= kCopyPosePx)) return HUGE_VAL;
+    if (distance == 0) return TurnPx(a, b);
     const double depth = DepthOf(a);
     return std::max(TurnPx(a, b), distance * focal_lengths_[a] / (depth > 0 ? depth : spread_));
   }
@@ -148,6 +165,12 @@ class PoseComparison {
 
   // Median of the points that the image sees, of a panorama all around; 0 if there are none.
   double DepthOf(int i) {
+    const auto [known, is_new] = depths_.try_emplace(i);
+    if (is_new) known->second = MeasureDepth(i);
+    return known->second;
+  }
+
+  double MeasureDepth(int i) {
     if (positions_.empty()) {
       for (const ModelPoint& point : model_.points) positions_[point.id] = point.position;
     }
@@ -169,8 +192,6 @@ class PoseComparison {
     if (is_new) found->second = ReadPicture(i, kPictureSize);
     return found->second;
   }
-
-  Image LargePictureOf(int i) const { return ReadPicture(i, kCopySize); }
 
   Image ReadPicture(int i, int size) const {
     const auto complaint = photos_.Check(paths_[i], size).complaint;
@@ -201,6 +222,7 @@ class PoseComparison {
   std::vector<int> order_;  // of centers_ along the axis
   std::unordered_map<uint64_t, Eigen::Vector3d> positions_;
   std::unordered_map<int, Image> pictures_;
+  std::unordered_map<int, double> depths_;
 };
 
 }  // namespace

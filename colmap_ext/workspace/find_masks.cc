@@ -95,8 +95,13 @@ std::string NameText(const std::string& bytes) {
 // An image as its masks may name it: by its name in the model and by that of its file.
 struct MaskedImage {
   std::string name;
+  std::string stored_name;
   std::vector<SplitPath> texts;
 };
+
+MaskedImage MaskedImageOf(const ModelImage& image) {
+  return {image.name, image.StoredName(), {Split(NameText(image.StoredName()))}};
+}
 
 // Pictures in a folder of masks by what they are called.
 class MaskIndex {
@@ -164,13 +169,18 @@ std::string ExpectedMask(const std::string& image_name) { return image_name + ".
 // Masks are given by the image, and taken by it.
 class FolderMasks {
  public:
+  // `unused` are the images of the model that are not in use: their masks are no other image's.
   FolderMasks(const fs::path& folder, const std::vector<MaskedImage>& images,
-              const std::vector<std::string>& image_files)
-      : folder_(folder), images_(images), paths_(images.size()), photographs_(image_files) {}
+              const std::vector<MaskedImage>& unused, const std::vector<std::string>& image_files)
+      : folder_(folder),
+        images_(images),
+        unused_(unused),
+        paths_(images.size()),
+        photographs_(image_files) {}
 
-  FoundMasks Run(const std::vector<std::string>& stored_names) {
+  FoundMasks Run() {
     for (size_t i = 0; i < images_.size(); ++i) {
-      const fs::path path = folder_ / ExpectedMask(stored_names[i]);
+      const fs::path path = folder_ / ExpectedMask(images_[i].stored_name);
       if (IsRegularFile(path)) paths_[i] = path.string();
     }
     FoundMasks found;
@@ -196,14 +206,23 @@ class FolderMasks {
   size_t CountMissing() const { return static_cast<size_t>(std::ranges::count(paths_, "")); }
 
   void FindOthers() {
-    const FileSet taken(paths_);
+    std::vector<std::string> exact = paths_;
+    for (const MaskedImage& image : unused_) {
+      exact.push_back((folder_ / ExpectedMask(image.stored_name)).string());
+    }
+    const FileSet taken(exact);
     files_ = FilesBelow(folder_);
     std::erase_if(files_, [&](const std::string& file) {
       const std::string path = (folder_ / file).string();
       return !WithoutPictureEnd(file) || taken.Contains(path) || photographs_.Contains(path);
     });
     const MaskIndex index(files_);
-    for (const bool anywhere : {false, true}) Assign(index, anywhere);
+    Assign(index, false);
+    for (const MaskedImage& image : unused_) {
+      const std::vector<int> masks = index.Find(image, false);
+      is_taken_.insert(masks.begin(), masks.end());
+    }
+    Assign(index, true);
   }
 
   void Assign(const MaskIndex& index, bool anywhere) {
@@ -233,6 +252,7 @@ class FolderMasks {
 
   fs::path folder_;
   const std::vector<MaskedImage>& images_;
+  const std::vector<MaskedImage>& unused_;
   std::vector<std::string> paths_;
   FileSet photographs_;
   std::vector<std::string> files_;  // pictures that may be masks
@@ -257,10 +277,10 @@ FoundMasks MasksOfList(const std::string& path, const SparseModel& model,
   for (std::string line; std::getline(in, line);) {
     const FilePlace place{path, "line", ++number};
     if (line.ends_with('\r')) line.pop_back();
-    if (line.empty() || line.starts_with('#')) continue;
+    if (line.empty() || (number == 1 && line.starts_with('#'))) continue;
     const size_t tab = line.find('\t');
     if (tab == std::string::npos) place.Fail("<image name><tab><path of its mask> expected");
-    mask_of_image[line.substr(0, tab)] = (folder / line.substr(tab + 1)).lexically_normal();
+    mask_of_image[line.substr(0, tab)] = (folder / line.substr(tab + 1)).string();
   }
   FoundMasks found;
   size_t num_without = 0;
@@ -270,7 +290,8 @@ FoundMasks MasksOfList(const std::string& path, const SparseModel& model,
     num_without += found.paths.back().empty();
     if (!found.paths.back().empty() && !IsRegularFile(found.paths.back())) {
       throw IoError(found.paths.back(), "no such mask, which " + path + " names for \"" +
-                                            model.images[index].name + "\"");
+                                            model.images[index].name +
+                                            "\": correct or remove that list");
     }
   }
   found.notes = {"Masks: " + path};
@@ -300,17 +321,20 @@ FoundMasks FindMasks(const std::string& mask_path, const SparseModel& model,
     throw IoError(mask_path, "no such folder (mask_path)");
   }
   std::vector<MaskedImage> masked;
-  std::vector<std::string> stored_names;
+  std::vector<char> is_used(model.images.size(), 0);
   for (size_t i = 0; i < images.size(); ++i) {
-    const ModelImage& image = model.images[images[i]];
-    stored_names.push_back(image.StoredName());
-    masked.push_back({image.name, {Split(NameText(image.StoredName()))}});
+    is_used[images[i]] = 1;
+    masked.push_back(MaskedImageOf(model.images[images[i]]));
     const SplitPath file = Split(NameText(image_files[i]));
     SplitPath in_folder = masked.back().texts.front();
     in_folder.name = file.name;
     masked.back().texts.push_back(in_folder);
   }
-  return FolderMasks(mask_path, masked, image_files).Run(stored_names);
+  std::vector<MaskedImage> unused;
+  for (size_t i = 0; i < is_used.size(); ++i) {
+    if (!is_used[i]) unused.push_back(MaskedImageOf(model.images[i]));
+  }
+  return FolderMasks(mask_path, masked, unused, image_files).Run();
 }
 
 std::string MaskListOf(const fs::path& model_dir) {

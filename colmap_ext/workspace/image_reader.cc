@@ -202,6 +202,11 @@ void SetRange(const LevelRange& range, Shrinking* shrinking) {
   shrinking->shift = -range.low * shrinking->scale;
 }
 
+// A range leaves out a few levels at its ends.
+void Clamp(Image* image) {
+  for (float& level : image->data) level = std::clamp(level, 0.0F, 255.0F);
+}
+
 Image ReadLevels(const fs::path& path, int max_image_size, const ImageForm& form) {
   Shrinking shrinking;
   shrinking.stored = StoredSize(path);
@@ -220,6 +225,7 @@ Image ReadLevels(const fs::path& path, int max_image_size, const ImageForm& form
   }
   if (form.range && decoded.depth() == CV_16U) SetRange(*form.range, &shrinking);
   Image image = ShrunkImage(decoded, shrinking, max_image_size, form.orientation);
+  if (form.range) Clamp(&image);
   if (image.channels == 3) SwapRedAndBlue(&image);
   return image;
 }
@@ -381,7 +387,9 @@ Image ImageFromPixels(const PhotoPixels& pixels, int max_image_size, const Image
         Shrinking shrinking = {.stored = pixels.size};
         shrinking.scale = std::is_floating_point_v<Value> ? 255 : LevelScale(decoded);
         if (form.range && decoded.depth() == CV_16U) SetRange(*form.range, &shrinking);
-        return ShrunkImage(decoded, shrinking, max_image_size, form.orientation);
+        Image image = ShrunkImage(decoded, shrinking, max_image_size, form.orientation);
+        if (form.range) Clamp(&image);
+        return image;
       },
       pixels.values);
 }
@@ -397,7 +405,7 @@ std::vector<unsigned char> ReadMask(const fs::path& path, ImageSize expected, in
                                      ": the aspect must be the same; masks of distorted images "
                                      "must be undistorted like them");
   }
-  CheckDecodable(path, stored, -1);
+  CheckDecodable(path, stored, max_image_size);
   return WithNamedErrors(path, [&] {
     const cv::Mat use = UseOf(path, Decode(path, stored, 1, cv::IMREAD_UNCHANGED));
     return ShrunkUse(TurnedUse(use, is_upright ? 1 : orientation),
@@ -408,7 +416,7 @@ std::vector<unsigned char> ReadMask(const fs::path& path, ImageSize expected, in
 std::vector<unsigned char> ReadAlpha(const fs::path& path, int max_image_size,
                                      const ImageForm& form) {
   const ImageSize stored = StoredSize(path);
-  CheckDecodable(path, stored, -1);
+  CheckDecodable(path, stored, max_image_size);
   return WithNamedErrors(path, [&] {
     const cv::Mat decoded = Decode(path, stored, 1, cv::IMREAD_UNCHANGED);
     if (decoded.channels() != 4) throw IoError(path.string(), "has lost its alpha channel");
@@ -420,7 +428,7 @@ std::vector<unsigned char> ReadAlpha(const fs::path& path, int max_image_size,
 
 PixelScan ScanPixels(const fs::path& path) {
   const ImageSize stored = StoredSize(path);
-  CheckDecodable(path, stored, -1);
+  CheckDecodable(path, stored, 1);  // nothing is shrunk
   return WithNamedErrors(path, [&] {
     const cv::Mat decoded = Decode(path, stored, 1, cv::IMREAD_UNCHANGED);
     PixelScan scan;

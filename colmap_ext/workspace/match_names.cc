@@ -24,7 +24,8 @@ class NameTexts {
     for (size_t e = 0; e < texts_.size(); ++e) {
       for (const std::string& name : names) {
         const bool is_same = e > 0 && IsAscii(name);
-        texts_[e].push_back(TextOfName(name, NameEncodings()[is_same ? 0 : e]).value_or(""));
+        texts_[e].push_back(is_same ? texts_[0][texts_[e].size()]
+                                    : TextOfName(name, NameEncodings()[e]).value_or(""));
       }
     }
   }

@@ -44,10 +44,10 @@ def _pixels(model: MemoryModel, name: str, image: Any) -> Any:
 
 
 def _white(images: Iterable[Any]) -> float:
-    """The level of white in pictures of floating-point numbers: 255 if any of them is above 1. They share it, since a
+    """The level of white in pictures of floating-point numbers: 255 if any of them is above 2 (a little above 1 is a mistake that is told). They share it, since a
     dark one does not tell."""
     floats = (image for image in images if image.dtype.kind == "f" and image.size)
-    return 255 if any((image > 1).any() for image in floats) else 1
+    return 255 if any((image > 2).any() for image in floats) else 1
 
 
 def scene_from_arrays(images: Sequence[Any], K: Any, R: Any, t: Any, names: Optional[Sequence[str]] = None,
@@ -55,7 +55,7 @@ def scene_from_arrays(images: Sequence[Any], K: Any, R: Any, t: Any, names: Opti
     """A scene of pinhole cameras x_px = K (R X + t).
 
     images: arrays H x W or H x W x 3 (RGB) of uint8, uint16, or floating-point numbers: 0 to 1, or, if one of them is
-    above 1, 0 to 255, as of Scene.image(). They are copied, and may be as large as files.
+    above 2, 0 to 255, as of Scene.image(). They are copied, and may be as large as files.
     K: 3 x 3 for all or N x 3 x 3, px; R: N x 3 x 3; t: N x 3, or N x 3 x 1. With pixel_centers "integer" the center of
     the top-left pixel is (0, 0), as in OpenCV; with "half" (0.5, 0.5), as in COLMAP.
     names: of the images, in the order of which views are numbered; default image-0000 and so on.

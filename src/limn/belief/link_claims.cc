@@ -36,6 +36,7 @@ class Claims {
   void Judge(int link, float depth, SampleHit* hit) const {
     const Edgel& at = edge_map_.edgels[hit->edgel];
     hit->own = true;
+    hit->elsewhere = false;
     edgels_.ForEachWithin(at.position_px, kSameEdgePx, [&](EdgelId near) {
       const bool is_same = std::abs(std::cos(edge_map_.edgels[near].tangent_rad - at.tangent_rad)) >
                            kSameDirectionCosine;

@@ -63,7 +63,7 @@ void DepthWatch::Compare(ViewId view, const DepthImage& image) {
     const DepthAgreement agreement = Agreement(test.places, views_[test.view], image, options_);
     const double beyond_chance = agreement.BeyondChance();
     if (test.view == view) {
-      test.own = beyond_chance;
+      if (CanBeDoubted(agreement)) test.own = beyond_chance;
     } else if (CanBeDoubted(agreement) && FitsOverall(agreement) &&
                beyond_chance > test.best_other) {
       test.best_other = beyond_chance;

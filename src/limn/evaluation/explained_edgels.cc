@@ -17,6 +17,7 @@ namespace {
 constexpr double kAlongPx = 1.5;
 constexpr double kAlongCosine = 0.9;
 constexpr double kStepPx = 1.5;
+constexpr double kMaxSteps = 20000;  // of a link
 constexpr float kOtherDepth = 1.15F;
 
 struct Explanation {
@@ -32,8 +33,9 @@ std::vector<Explanation> ExplanationsOf(const std::vector<View>& views, const Dr
     const bool is_firm = firm.Has(link);
     const double footprint = LinkFootprint(link, views);
     if (!(footprint > 0) || !(is_firm || link.doubt == LinkDoubt::kExplained)) continue;
-    explanations.push_back({ResampleUniform(link.points_in_world, kStepPx * footprint),
-                            link.supporting_views, is_firm});
+    const double step = std::max(kStepPx * footprint, Length(link.points_in_world) / kMaxSteps);
+    explanations.push_back(
+        {ResampleUniform(link.points_in_world, step), link.supporting_views, is_firm});
   }
   return explanations;
 }

@@ -16,6 +16,18 @@ namespace {
 
 constexpr int kPlacesOfLink = 3;
 constexpr size_t kMaxLinks = 10000;
+// Of the views that support a place, and of those that contain it.
+constexpr size_t kMaxViews = 40;
+// A view that sees a place coarser than this lacks what others see.
+constexpr double kMaxCoarser = 1.5;
+
+// At most kMaxViews of them, evenly.
+std::vector<ViewId> SomeOf(const std::vector<ViewId>& views) {
+  const size_t step = (views.size() + kMaxViews - 1) / kMaxViews;
+  std::vector<ViewId> some;
+  for (size_t i = 0; i < views.size(); i += step) some.push_back(views[i]);
+  return some;
+}
 
 // The middles of as many parts of a curve, which are equally long.
 Polyline3d PlacesOn(const Polyline3d& points) {
@@ -37,9 +49,10 @@ class PairSums {
     if (!(footprint > 0) || !(length > 0)) return;
     std::vector<uint8_t> supports(views_.size(), 0);
     for (const ViewId v : link.supporting_views) supports[v] = 1;
-    const std::vector<ViewId> near = finder_.NearAnyOf(link.points_in_world);
+    const std::vector<ViewId> from = SomeOf(link.supporting_views);
+    const std::vector<ViewId> near = SomeOf(finder_.NearAnyOf(link.points_in_world));
     for (const Eigen::Vector3d& place : PlacesOn(link.points_in_world)) {
-      AddPlace(place, length / kPlacesOfLink / footprint, link.supporting_views, near, supports);
+      AddPlace(place, length / kPlacesOfLink / footprint, from, near, supports);
     }
   }
 
@@ -60,8 +73,10 @@ class PairSums {
     for (const ViewId to : near) {
       if (!views_[to].Project(place)) continue;
       const Eigen::Vector3d ray = place - views_[to].CenterInWorld();
+      const auto coarse = FootprintIn(views_[to], place);
       for (const ViewId v : from) {
-        if (v == to) continue;
+        const auto fine = FootprintIn(views_[v], place);
+        if (v == to || !coarse || !fine || *coarse > kMaxCoarser * *fine) continue;
         SharedSupport& sum = sums_[KeyOf(v, to)];
         sum.from = v;
         sum.to = to;

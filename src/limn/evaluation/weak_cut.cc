@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -17,16 +19,23 @@ constexpr double kBinDeg = 5;
 constexpr int kNumBins = 18;
 // Weight of the prior of every effect, which is 0.
 constexpr double kPriorWeight = 0.5;
+// Angles tell of a cut if at least this share of their pairs is on either side of it: those between
+// two clusters of views are all across.
+constexpr double kLeastShareOfAngle = 0.1;
 constexpr int kNumFits = 300;
 constexpr int kNumPowers = 300;
 constexpr int kMinGroup = 2;
-constexpr int kMinPairs = 10;
+// Any few views have a best cut that explains much.
+constexpr int kMinViews = 8;
+constexpr size_t kMinPairs = 10;
 // A cut is weak if less than this is shared across it and it explains more than this; or, if it
 // explains much, with a little less shared.
 constexpr double kWeakShared = 0.8;
 constexpr double kLeastExplained = 0.1;
-constexpr double kSlightlyWeakShared = 0.9;
+constexpr double kSlightlyWeakShared = 0.88;
 constexpr double kMuchExplained = 0.3;
+// And of the better way between two views, less than this.
+constexpr double kWeakBothWays = 0.92;
 
 // A pair of views as the logarithm of the share of what is promised.
 struct Observation {
@@ -85,7 +94,7 @@ class Effects {
            (IsAcross(pair) ? across_ : 0);
   }
 
-  double Variance() const {
+  double SumOfSquares() const {
     double sum = 0;
     for (const Observation& pair : observed_) {
       sum += pair.weight * Residual(pair) * Residual(pair);
@@ -207,6 +216,34 @@ std::vector<uint8_t> BestCut(const std::vector<double>& vector, const std::vecto
   return best_group;
 }
 
+// The pairs under angles that occur inside the groups and across.
+std::vector<Observation> UnderCommonAngles(const std::vector<Observation>& observed,
+                                           const std::vector<uint8_t>& group) {
+  std::vector<double> inside(kNumBins, 0), across(kNumBins, 0);
+  for (const Observation& pair : observed) {
+    (group[pair.from] == group[pair.to] ? inside : across)[pair.bin] += pair.weight;
+  }
+  std::vector<Observation> common;
+  for (const Observation& pair : observed) {
+    const double a = inside[pair.bin], b = across[pair.bin];
+    if (std::min(a, b) >= kLeastShareOfAngle * (a + b)) common.push_back(pair);
+  }
+  return common;
+}
+
+// Of both ways between two views, that which shares more: a group that lacks what others see is no
+// group of its own, it lacks it one way only.
+std::vector<Observation> BetterWays(const std::vector<Observation>& observed) {
+  std::map<std::pair<ViewId, ViewId>, Observation> better;
+  for (const Observation& pair : observed) {
+    const auto [known, is_new] = better.emplace(std::minmax(pair.from, pair.to), pair);
+    if (!is_new && pair.value > known->second.value) known->second = pair;
+  }
+  std::vector<Observation> ways;
+  for (const auto& [views, pair] : better) ways.push_back(pair);
+  return ways;
+}
+
 bool IsWeak(const WeakCut& cut) {
   return (cut.shared < kWeakShared && cut.explained > kLeastExplained) ||
          (cut.shared < kSlightlyWeakShared && cut.explained > kMuchExplained);
@@ -216,16 +253,20 @@ bool IsWeak(const WeakCut& cut) {
 
 std::optional<WeakCut> FindWeakCut(int num_views, const std::vector<SharedSupport>& pairs) {
   const std::vector<Observation> observed = Observe(pairs);
-  if (num_views < 2 * kMinGroup || observed.size() < kMinPairs) return std::nullopt;
-  const Effects without(num_views, observed);
-  const std::vector<Tie> ties = TiesOf(observed, without);
+  if (num_views < kMinViews || observed.size() < kMinPairs) return std::nullopt;
+  const std::vector<Tie> ties = TiesOf(observed, Effects(num_views, observed));
   const std::vector<uint8_t> group = BestCut(LeadingVector(num_views, ties), ties);
   if (group.empty()) return std::nullopt;
-  const Effects with(num_views, observed, &group);
+  const std::vector<Observation> common = UnderCommonAngles(observed, group);
+  if (common.size() < kMinPairs) return std::nullopt;
+  const Effects without(num_views, common);
+  const Effects with(num_views, common, &group);
   WeakCut cut;
   cut.shared = std::exp(with.across());
-  cut.explained = 1 - with.Variance() / without.Variance();
-  if (!IsWeak(cut)) return std::nullopt;
+  cut.explained = 1 - with.SumOfSquares() / without.SumOfSquares();
+  const std::vector<Observation> better_ways = BetterWays(common);
+  const Effects of_better_ways(num_views, better_ways, &group);
+  if (!IsWeak(cut) || std::exp(of_better_ways.across()) > kWeakBothWays) return std::nullopt;
   const bool is_smaller = 2 * std::ranges::count(group, 1) <= num_views;
   for (ViewId v = 0; v < num_views; ++v) {
     if (group[v] == (is_smaller ? 1 : 0)) cut.smaller.push_back(v);

@@ -21,8 +21,8 @@ struct WeakCut {
 
 // Looks for the cut of the graph whose nodes are views and whose weights are what pairs of views
 // share, compared with what others share under such an angle (algorithm/evaluation.md#weak-cut;
-// ours). Nothing if no cut is weak enough for a warning. `pairs` as MeasureSharedSupport returns
-// them. Time: some 500 times the number of pairs.
+// ours). Nothing if no cut is weak enough for a warning, and for fewer than eight views. `pairs` as
+// MeasureSharedSupport returns them. Time: some 500 times the number of pairs.
 std::optional<WeakCut> FindWeakCut(int num_views, const std::vector<SharedSupport>& pairs);
 
 }  // namespace limn

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kRecordName = "drawing";
 // To be incremented when the drawing of the same input changes.
-constexpr int kRecordVersion = 8;
+constexpr int kRecordVersion = 9;
 
 DrawingMetadata NamesIn(const SceneRecord& record) {
   DrawingMetadata metadata;

@@ -21,7 +21,7 @@ namespace limn {
 namespace {
 
 // To be raised whenever the drawing of the same tile changes, so that kept ones are made again.
-constexpr int kTileVersion = 8;
+constexpr int kTileVersion = 9;
 
 std::string TileName(size_t index) { return "tile-" + std::to_string(index + 1); }
 

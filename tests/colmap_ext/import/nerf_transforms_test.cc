@@ -80,8 +80,9 @@ TEST_F(NerfTransforms, MasksOfFramesAreListed) {
   std::vector<std::string> notes;
   const ImportedModel imported = ImportModel(options, &notes);
   EXPECT_THAT(notes, Contains(HasSubstr("2 of 3 images have masks")));
-  WriteNewModel(imported.model, dir_ / "sparse/0", ModelFlavor::kBinary,
-                [&](const fs::path& to) { WriteMaskList(imported.masks, dir_ / "sparse/0", to); });
+  WriteNewModel(imported.model, dir_ / "sparse/0", ModelFlavor::kBinary, [&](const OutputPath& to) {
+    WriteMaskList(imported.masks, dir_ / "sparse/0", to);
+  });
   const std::string list = MaskListOf(dir_ / "sparse/0");
   const FoundMasks found = FindMasks(list, imported.model, {0, 1, 2}, {"", "", ""});
   EXPECT_EQ(found.paths[0], fs::canonical(dir_ / "masks/one.png").string());

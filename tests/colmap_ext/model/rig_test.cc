@@ -231,7 +231,7 @@ TEST(Rig, OfAnEarlierModelThatStaysIsAnError) {
   const TempDir dir;
   dir.WriteFile("rigs.txt/in the way", "");
   EXPECT_THAT(ErrorText<IoError>([&] { WriteModelText(MakeModel(), dir.path()); }),
-              HasSubstr("rigs.txt: cannot remove: "));
+              HasSubstr("rigs.txt: cannot be removed: "));
   EXPECT_FALSE(std::filesystem::exists(dir / "images.txt"));
 }
 

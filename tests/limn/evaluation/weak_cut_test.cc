@@ -1,5 +1,7 @@
 #include "limn/evaluation/weak_cut.h"
 
+#include <random>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,10 +73,11 @@ TEST(FindWeakCut, HalvesThatDrawTheirOwnCurvesAreFound) {
 // Views lack other edges each: that is not a cut.
 TEST(FindWeakCut, WhatSingleViewsLackIsNoCut) {
   DrawingGraph graph;
+  std::minstd_rand random(1);
   for (int edge = 0; edge < 12; ++edge) {
     std::vector<ViewId> views;
     for (ViewId v = 0; v < kNumViews; ++v) {
-      if ((5 * v + 7 * edge + v * edge) % 4 != 0) views.push_back(v);
+      if (random() % 4 != 0) views.push_back(v);
     }
     graph.links.push_back(EdgeSeenBy(edge, views));
   }
@@ -89,8 +92,7 @@ TEST(FindWeakCut, WeakerViewsAreNoGroup) {
     if (edge % 2 == 0) views.insert(views.end(), {6, 7, 8, 9, 10, 11});
     graph.links.push_back(EdgeSeenBy(edge, views));
   }
-  const auto cut = CutOf(graph);
-  EXPECT_FALSE(cut) << cut->shared << " " << cut->explained;
+  EXPECT_FALSE(CutOf(graph));
 }
 
 }  // namespace
