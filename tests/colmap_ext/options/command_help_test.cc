@@ -30,7 +30,7 @@ TEST(ManPage, HasEveryOptionWithItsValueAndDefault) {
   const std::string page = ManPage();
   EXPECT_THAT(page, HasSubstr(".SH NAME\nlimn\\-curve_drawer \\- draw curves\n"));
   EXPECT_THAT(page, HasSubstr("\\fB\\-\\-input_path\\fR \\fIpath\\fR\n"));
-  EXPECT_THAT(page, HasSubstr("\\fB\\-\\-quality\\fR \\fBlow\\fR|\\fBhigh\\fR\n"));
+  EXPECT_THAT(page, HasSubstr("\\fB\\-\\-quality\\fR \\fBlow\\fR|\\:\\fBhigh\\fR\n"));
   EXPECT_THAT(page, HasSubstr("shortest, px\n(default \\fB5.5\\fR)\n"));
 }
 
