@@ -280,7 +280,9 @@ FoundMasks MasksOfList(const std::string& path, const SparseModel& model,
     if (line.empty() || (number == 1 && line.starts_with('#'))) continue;
     const size_t tab = line.find('\t');
     if (tab == std::string::npos) place.Fail("<image name><tab><path of its mask> expected");
-    mask_of_image[line.substr(0, tab)] = (folder / line.substr(tab + 1)).string();
+    std::error_code error;  // what does not exist is told below
+    const fs::path mask = fs::weakly_canonical(folder / line.substr(tab + 1), error);
+    mask_of_image[line.substr(0, tab)] = mask.string();
   }
   FoundMasks found;
   size_t num_without = 0;

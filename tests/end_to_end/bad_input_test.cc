@@ -152,7 +152,8 @@ TEST_F(BadInput, ImageNamesWhoseOverlaysAreInEachOthersWay) {
 }
 
 TEST_F(BadInput, PathsThatNoIniFileCanHold) {
-  ExpectRefused({"--mask_path", "a\nb"}, HasSubstr("mask_path = a?b: must be without line ends"));
+  ExpectRefused({"--mask_path", "a\nb"},
+                HasSubstr("mask_path = a\\x0ab: must be without line ends"));
 }
 
 TEST_F(BadInput, MissingProjectFile) {

@@ -129,7 +129,7 @@ TEST_F(DrawingEditor, ARefusedFileWritesNothing) {
   const LimnRun run = Edit(path);
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.err,
-            "ERROR: " + path + ": edits[0].links[0].points[15]: a list of 3 expected, not of 2\n");
+            "ERROR: " + path + ": edits[0].links[0].points[15]: a list of 3 numbers expected\n");
   EXPECT_EQ(Edit("").exit_code, 1);
   EXPECT_EQ(ReadTree(dir_.path()), before);
 }

@@ -264,7 +264,7 @@ std::optional<WeakCut> FindWeakCut(int num_views, const std::vector<SharedSuppor
   WeakCut cut;
   cut.shared = std::exp(with.across());
   cut.explained = 1 - with.SumOfSquares() / without.SumOfSquares();
-  const std::vector<Observation> better_ways = BetterWays(common);
+  const std::vector<Observation> better_ways = UnderCommonAngles(BetterWays(observed), group);
   const Effects of_better_ways(num_views, better_ways, &group);
   if (!IsWeak(cut) || std::exp(of_better_ways.across()) > kWeakBothWays) return std::nullopt;
   const bool is_smaller = 2 * std::ranges::count(group, 1) <= num_views;

@@ -337,6 +337,7 @@ DrawingFile ReadDrawingJson(const std::string& path) {
 std::string RefinedCamerasOfDrawing(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return "";
+  if (std::filesystem::is_directory(path, ignored)) return "";  // of LIMAP
   std::string head(kMaxHeadBytes, ' ');
   std::ifstream in = OpenFile(path);
   in.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -29,7 +29,9 @@ namespace {
 
 // If a larger share of the views has changed, everything is drawn: what they add to places that are
 // drawn already is lost.
-constexpr double kMaxChangedShare = 0.05;
+constexpr double kMaxChangedShare = 0.1;
+// In fewer views every view is the partner of all others.
+constexpr size_t kMinViews = 20;
 // A link that loses this share of the views that support it is drawn again.
 constexpr double kLostShare = 0.25;
 // A view supports a link with this many edgels along it, at steps of a px.
@@ -262,6 +264,10 @@ class SceneUpdater {
     const size_t num_new = input_.views.size() - (drawn.size() - num_gone);
     const size_t num_changes = std::max(num_new, num_gone);
     const size_t num_views = std::max(input_.views.size(), drawn.size());
+    if (num_changes > 0 && num_views < kMinViews) {
+      return "of fewer than " + std::to_string(kMinViews) +
+             " images, some are new, changed or gone";
+    }
     if (static_cast<double>(num_changes) > kMaxChangedShare * static_cast<double>(num_views)) {
       return std::to_string(num_changes) + " of " + std::to_string(num_views) +
              " images are new, changed or gone since everything was drawn";

@@ -70,16 +70,21 @@ TEST(FindWeakCut, HalvesThatDrawTheirOwnCurvesAreFound) {
   EXPECT_GT(cut->explained, 0.8);
 }
 
-// Views lack other edges each: that is not a cut.
+// Views lack other parts of the edges each: that is not a cut.
 TEST(FindWeakCut, WhatSingleViewsLackIsNoCut) {
+  constexpr int kParts = 10;
   DrawingGraph graph;
   std::minstd_rand random(1);
-  for (int edge = 0; edge < 12; ++edge) {
+  for (int i = 0; i < 12 * kParts; ++i) {
     std::vector<ViewId> views;
     for (ViewId v = 0; v < kNumViews; ++v) {
       if (random() % 4 != 0) views.push_back(v);
     }
-    graph.links.push_back(EdgeSeenBy(edge, views));
+    DrawingLink link = EdgeSeenBy(i / kParts, views);
+    const Eigen::Vector3d from = link.points_in_world.front(), to = link.points_in_world.back();
+    link.points_in_world = {from + (to - from) * (i % kParts) / kParts,
+                            from + (to - from) * (i % kParts + 1) / kParts};
+    graph.links.push_back(link);
   }
   EXPECT_FALSE(CutOf(graph));
 }
