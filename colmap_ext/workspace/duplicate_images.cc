@@ -91,8 +91,7 @@ class PoseComparison {
       const double panorama_focal = static_cast<double>(camera.width) / (2 * M_PI);
       focal_lengths_.push_back(camera.IsPanorama() ? panorama_focal : IntrinsicsOf(camera).fx);
     }
-    spread_ = SpreadOfCenters();
-    max_distance_ = kMaxRelativeDistance * spread_;
+    max_distance_ = kMaxRelativeDistance * SpreadOfCenters();
     SortAlongLongestAxis();
   }
 
@@ -148,14 +147,15 @@ class PoseComparison {
 
   const Camera& CameraOf(int i) const { return model_.CameraOf(model_.images[images_[i]]); }
 
-  // By how much the difference of two poses moves what is at the median depth of the points, which
-  // is guessed without any. Infinite if it is much.
+  // By how much the difference of two poses moves what is at the median depth of the points;
+  // without any it may be near. Infinite if it is much.
   double PoseDifferencePx(int a, int b) {
     const double distance = (centers_[a] - centers_[b]).norm();
     if (!(distance <= max_distance_) || !(TurnPx(a, b) <= kCopyPosePx)) return HUGE_VAL;
     if (distance == 0) return TurnPx(a, b);
     const double depth = DepthOf(a);
-    return std::max(TurnPx(a, b), distance * focal_lengths_[a] / (depth > 0 ? depth : spread_));
+    return std::max(TurnPx(a, b),
+                    distance * focal_lengths_[a] / (depth > 0 ? depth : max_distance_));
   }
 
   double TurnPx(int a, int b) const {
@@ -216,7 +216,6 @@ class PoseComparison {
   const PhotoStore& photos_;
   std::vector<Eigen::Vector3d> centers_;
   std::vector<double> focal_lengths_;
-  double spread_ = 0;
   double max_distance_ = 0;
   int axis_ = 0;
   std::vector<int> order_;  // of centers_ along the axis

@@ -71,10 +71,12 @@ TEST_F(DuplicateImages, SameBytesAre) {
 TEST_F(DuplicateImages, NearlySamePictureFromNearlySamePoseIs) {
   Write(3, pictures_[1], ".jpg");
   EXPECT_THAT(Found(), IsEmpty());
-  // A quarter of a pixel is 10 / 200 / 4 = 0.0125 units; without points, a tenth of it.
+  // A quarter of a pixel is 10 / 200 / 4 = 0.0125 units; but not where nothing tells the depth.
   model_.images[3].cam_from_world.translation.x() = 1.0005;
   EXPECT_THAT(Found(), ElementsAre(Pair(3, 1)));
   model_.points.clear();
+  EXPECT_THAT(Found(), IsEmpty());
+  model_.images[3].cam_from_world.translation.x() = 1;
   EXPECT_THAT(Found(), ElementsAre(Pair(3, 1)));
 }
 
