@@ -58,7 +58,9 @@ std::vector<double> SampledDepths(double scale, const std::optional<DepthSpan>& 
   return depths;
 }
 
-// The same number of depths from this much nearer to this much farther.
+// Where views see the same at fewer depths than this, as many as kNumDepths are added, from this
+// much nearer to this much farther than where their axes meet.
+constexpr size_t kFewDepths = 3;
 constexpr double kAroundMeeting = 1.25;
 
 std::vector<double> DepthsAround(const std::optional<double>& depth) {
@@ -177,13 +179,15 @@ class PlanBuilder {
   Choice Build(ViewId primary, const std::optional<DepthSpan>& point_depths,
                const std::vector<uint8_t>* sketched = nullptr) const {
     const std::vector<ViewId> neighbors = finder_.Find(primary, point_depths);
-    SampledViewField field =
-        Sample(primary, neighbors, SampledDepths(Scale(primary, neighbors), point_depths));
+    std::vector<double> depths = SampledDepths(Scale(primary, neighbors), point_depths);
+    SampledViewField field = Sample(primary, neighbors, depths);
     std::vector<int> counts = CountViews(field);
-    const auto is_seen = [&](int count) { return count >= num_needed_; };
-    if (std::ranges::none_of(counts, is_seen)) {
+    if (CountSeenDepths(field, counts) < kFewDepths) {
       // Long lenses see the same between the depths sampled.
-      field = Sample(primary, neighbors, DepthsAround(DepthWhereAxesMeet(primary, neighbors)));
+      const auto more = DepthsAround(DepthWhereAxesMeet(primary, neighbors));
+      depths.insert(depths.end(), more.begin(), more.end());
+      std::ranges::sort(depths);
+      field = Sample(primary, neighbors, std::move(depths));
       counts = CountViews(field);
     }
     ViewPlan plan;
@@ -249,6 +253,15 @@ class PlanBuilder {
                    centers_[primary]);
     const double scale = Extent(centers);
     return IsExtended(scale, centers) ? scale : Extent(centers_);
+  }
+
+  // Depths at which enough others see a place.
+  size_t CountSeenDepths(const SampledViewField& field, const std::vector<int>& counts) const {
+    std::set<double> seen;
+    for (size_t i = 0; i < counts.size(); ++i) {
+      if (counts[i] >= num_needed_) seen.insert(field.DepthOf(i));
+    }
+    return seen.size();
   }
 
   // Per place, the views that contain it under an angle usable for confirmation.
