@@ -1,5 +1,7 @@
 #include "colmap_ext/verbs/truth_input.h"
 
+#include <algorithm>
+
 #include "limn/formats/json_junctions_reader.h"
 #include "limn/formats/read_curves.h"
 #include "limn/util/errors.h"
@@ -38,6 +40,11 @@ void TruthInput::Check() const {
 Truth ReadTruth(const TruthInput& input) {
   Truth truth;
   truth.curves = ReadCurves(input.truth_path, input.truth_edges_path);
+  const bool has_curves =
+      std::ranges::any_of(truth.curves.polylines, [](const auto& line) { return !line.empty(); });
+  if (!has_curves && truth.curves.points.empty()) {
+    throw IoError(input.truth_path, "no curves and no points (truth_path)");
+  }
   if (!input.junctions_path.empty()) truth.curves.nodes = ReadJunctions(input.junctions_path);
   if (!input.dont_care_path.empty()) truth.dont_care = ReadCurves(input.dont_care_path);
   return truth;

@@ -74,7 +74,7 @@ const CorpusCase kCases[] = {
                    "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\n"
                    "property float y\nproperty float z\nend_header\n");
          },
-     .said = {"ground truth: no curves and no points"},
+     .said = {": no curves and no points (truth_path)"},
      .command = "drawing_evaluator",
      .arguments = {"--input_path", "{W}/truth.txt", "--truth_path", "{W}/fused.ply", "--taus",
                    "0.1"}},
