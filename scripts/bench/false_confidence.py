@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """Does a run warn where cameras are wrong, and only there? Draws right and wrong scenes and counts the warnings.
 
-    false_confidence.py --limn LIMN --output_path FOLDER [--data_path DATA] [--only PATTERN] [--seed 1]
+    false_confidence.py --limn LIMN --output_path FOLDER [--data_path DATA] [--only PATTERN ...] [--seed 1] [options of automatic_drawer]
 
 Scenes come from the sample scene, from the data sets that DATA has (folders as datasets/RESULTS.md names them), and from
 pictures of flat and repetitive things that this script renders. A run warns if it prints a WARNING or the verdict "nonsense".
-FOLDER/<scene>/ keeps the workspace, the log and the drawing; FOLDER/false_confidence.md has the table.
+"Misplaced" is the mean error of the places of cameras that were moved, over their distance from the middle, as given and, if the
+run refined them, as refined. FOLDER/<scene>/ keeps the workspace, the log and the drawing; FOLDER/false_confidence.md has the table.
 """
 
 import argparse
@@ -13,14 +14,20 @@ import fnmatch
 import re
 import shutil
 import subprocess
+import sys
 import time
 from pathlib import Path
 
 import cv2
 import numpy as np
 
-from wrong_scenes import scenes
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "sample_scene"))
 
+from camera_poses import misplacement, rotation_of  # noqa: E402
+from colmap_files import quaternion  # noqa: E402
+from wrong_scenes import scenes  # noqa: E402
+
+MAX_IMAGE_SIZE = 320
 ROOT = Path(__file__).resolve().parents[2]
 WARNING = re.compile(r"^WARNING: (.*)|^Verdict: (nonsense.*)", re.M)
 
@@ -30,7 +37,7 @@ def write_workspace(scene, folder):
     (folder / "images").mkdir(parents=True)
     (folder / "sparse").mkdir()
     cameras, images = [], []
-    for i, view in enumerate(scene.views, 1):
+    for i, view in enumerate(scene.make(), 1):
         height, width = view.picture.shape[:2]
         name = f"view_{i:02}.png"
         cv2.imwrite(str(folder / "images" / name), view.picture, [cv2.IMWRITE_PNG_COMPRESSION, 1])
@@ -42,14 +49,6 @@ def write_workspace(scene, folder):
     (folder / "sparse/points3D.txt").write_text("")
 
 
-def quaternion(rotation):
-    """w, x, y, z."""
-    vector = cv2.Rodrigues(rotation)[0].ravel()
-    angle = np.linalg.norm(vector)
-    axis = vector / angle if angle > 0 else vector
-    return [np.cos(angle / 2), *(np.sin(angle / 2) * axis)]
-
-
 def draw(limn, scene, folder, options):
     """The log of a run; made once."""
     log = folder / "log"
@@ -57,10 +56,9 @@ def draw(limn, scene, folder, options):
         shutil.rmtree(folder, ignore_errors=True)
         write_workspace(scene, folder)
         begin = time.time()
-        run = subprocess.run([limn, "automatic_drawer", "--workspace_path", folder, "--page", "0",
-                              "--max_image_size", str(scene.max_image_size), *options], capture_output=True, text=True, timeout=600)
-        text = f"{run.stdout}{run.stderr}exit code {run.returncode}, {time.time() - begin:.1f} s\n"
-        log.write_text(text)
+        run = subprocess.run(["timeout", "600", limn, "automatic_drawer", "--workspace_path", folder, "--page", "0",
+                              "--max_image_size", str(MAX_IMAGE_SIZE), *options], capture_output=True, text=True)
+        log.write_text(f"{run.stdout}{run.stderr}exit code {run.returncode}, {time.time() - begin:.1f} s\n")
     return log.read_text()
 
 
@@ -69,6 +67,23 @@ def warnings_in(log):
     if "exit code 0" not in log:
         found.append("ended: " + log.strip().splitlines()[-2] if log.count("\n") > 1 else log)
     return found
+
+
+def refined_centers(path):
+    """Of a text model, in the order of the names."""
+    rows = [line.split() for line in path.read_text().splitlines() if line.endswith(".png")]
+    poses = [np.array(row[1:8], float) for row in sorted(rows, key=lambda row: row[9])]
+    return np.array([-rotation_of(pose[:4]).T @ pose[4:] for pose in poses])
+
+
+def mending(scene, folder):
+    """How far cameras that were moved are misplaced, as given and as refined; empty for others."""
+    if not scene.true:
+        return ""
+    given, true = (np.array([view.center for view in make()]) for make in (scene.make, scene.true))
+    text = f"{misplacement(given, true):.4f}"
+    refined = folder / "refined/images.txt"
+    return f"{text} -> {misplacement(refined_centers(refined), true):.4f}" if refined.exists() else text
 
 
 def main():
@@ -80,14 +95,15 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     arguments, options = parser.parse_known_args()
     counts = {True: [0, 0], False: [0, 0]}
-    rows = ["| scene | cameras | warnings |", "|---|---|---|"]
+    rows = ["| scene | cameras | misplaced | warnings |", "|---|---|---|---|"]
     for scene in scenes(ROOT / "datasets/sample", arguments.data_path, arguments.seed):
         if not any(fnmatch.fnmatch(scene.name, pattern) for pattern in arguments.only):
             continue
         found = warnings_in(draw(arguments.limn, scene, arguments.output_path / scene.name, options))
         counts[scene.is_right][0] += bool(found)
         counts[scene.is_right][1] += 1
-        row = f"| {scene.name} | {'right' if scene.is_right else 'wrong'} | {'; '.join(text[:100] for text in found) or '-'} |"
+        kind, texts = "right" if scene.is_right else "wrong", "; ".join(text[:100] for text in found) or "-"
+        row = f"| {scene.name} | {kind} | {mending(scene, arguments.output_path / scene.name)} | {texts} |"
         rows.append(row)
         print(row, flush=True)
     for is_right, (warned, total) in counts.items():

@@ -40,6 +40,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from camera_poses import read_cameras, read_images, similarity
+
 GRID_PX = 4  # of the pixels that are judged
 MIN_TEXTURE, TEXTURE_PX = 4, 9  # standard deviation in gray levels, window
 MAX_AXES_DEG, MAX_TURN_DEG = 40, 35  # between the views of a pair; from them to the rectified ones
@@ -54,39 +56,20 @@ MIN_ON_PLANE = 100  # pixels of a pair
 class View:
     """A pinhole camera; pixels as in OpenCV, the center of the first one is (0, 0)."""
 
-    def __init__(self, name, size, intrinsics, quaternion, translation):
-        self.name, self.size, self.intrinsics = name, size, intrinsics
-        self.rotation = rotation_of(quaternion)
+    def __init__(self, name, size, intrinsics, rotation, translation):
+        self.name, self.size, self.intrinsics, self.rotation = name, size, intrinsics, rotation
         self.center = -self.rotation.T @ translation
-
-
-def rotation_of(quaternion):
-    w, *v = quaternion / np.linalg.norm(quaternion)
-    cross = np.cross(np.eye(3), v)  # [v]x
-    return np.eye(3) + 2 * w * cross + 2 * cross @ cross
-
-
-def read_cameras(path):
-    cameras = {}
-    with open(path, "rb") as file:
-        for _ in range(*struct.unpack("<Q", file.read(8))):
-            key, model, width, height = struct.unpack("<iiQQ", file.read(24))
-            if model not in (0, 1):
-                raise SystemExit(f"ERROR: {path}: cameras must be PINHOLE or SIMPLE_PINHOLE (colmap image_undistorter)")
-            *focal, x, y = struct.unpack(f"<{3 + model}d", file.read(8 * (3 + model)))
-            cameras[key] = (width, height), np.array([[focal[0], 0, x - 0.5], [0, focal[-1], y - 0.5], [0, 0, 1]])
-    return cameras
 
 
 def read_model(folder):
     """Views by name."""
-    cameras, views = read_cameras(folder / "cameras.bin"), {}
-    with open(folder / "images.bin", "rb") as file:
-        for _ in range(*struct.unpack("<Q", file.read(8))):
-            _, *pose, camera = struct.unpack("<i7di", file.read(64))
-            name = b"".join(iter(lambda: file.read(1), b"\0")).decode()
-            file.seek(24 * struct.unpack("<Q", file.read(8))[0], os.SEEK_CUR)
-            views[name] = View(name, *cameras[camera], np.array(pose[:4]), np.array(pose[4:]))
+    views, cameras = {}, read_cameras(folder / "cameras.bin")
+    for name, (rotation, translation, camera) in read_images(folder / "images.bin").items():
+        model, size, (*focal, x, y) = cameras[camera]
+        if model not in ("SIMPLE_PINHOLE", "PINHOLE"):
+            raise SystemExit(f"ERROR: {folder / 'cameras.bin'}: cameras must be PINHOLE or SIMPLE_PINHOLE (colmap image_undistorter)")
+        intrinsics = np.array([[focal[0], 0, x - 0.5], [0, focal[-1], y - 0.5], [0, 0, 1]])
+        views[name] = View(name, size, intrinsics, rotation, translation)
     return views
 
 
@@ -96,15 +79,10 @@ def read_depth_map(path):
     return np.frombuffer(values, "<f4").reshape(int(height), int(width)).astype(float)
 
 
-def similarity(views, exact):
+def similarity_of(views, exact):
     """(scale, rotation, translation) from the frame of the views to the exact one."""
     names = sorted(set(views) & set(exact))
-    source, target = (np.array([model[name].center for name in names]) for model in (views, exact))
-    mean_s, mean_t = source.mean(0), target.mean(0)
-    u, s, v = np.linalg.svd((target - mean_t).T @ (source - mean_s))
-    flip = np.array([1, 1, np.sign(np.linalg.det(u @ v))])
-    rotation, scale = u * flip @ v, s @ flip / np.square(source - mean_s).sum()
-    return scale, rotation, mean_t - scale * rotation @ mean_s
+    return similarity(*(np.array([model[name].center for name in names]) for model in (views, exact)))
 
 
 def grid_of(view):
@@ -227,7 +205,7 @@ def stereo_depths(first, second, images, depth_range):
 
 def all_depths(views, pairs, images, exact, depth_range):
     """Per pair, in the unit of the exact model."""
-    scale = similarity(views, exact)[0]
+    scale = similarity_of(views, exact)[0]
     return [scale * stereo_depths(views[first], views[second], images, np.array(depth_range) / scale) for first, second in pairs]
 
 
@@ -310,7 +288,7 @@ class Judge:
         return {"layers": quantiles(spreads), "confirmed": float(confirmed / max(num_pixels, 1))}
 
     def plane_figures(self, views, depths):
-        transform, distances, offsets = similarity(views, self.exact), [], [[] for _ in self.planes]
+        transform, distances, offsets = similarity_of(views, self.exact), [], [[] for _ in self.planes]
         for (first, _), depth in zip(self.pairs, depths):
             points = points_of(views[first], depth, transform)
             for k, (axis, at) in enumerate(self.planes):
@@ -370,7 +348,7 @@ def compare_points(models, folders, arguments):
     results, of_exact = {}, None
     for label, views in models.items():
         positions, errors, tracks = triangulate(folders[label], arguments, arguments.output_path / label)
-        scale, rotation, translation = similarity(views, models["exact"])
+        scale, rotation, translation = similarity_of(views, models["exact"])
         positions = scale * positions @ rotation.T + translation
         of_feature = {(image, feature): positions[index] for index, image, feature in tracks}
         of_exact = of_exact or of_feature

@@ -1,13 +1,13 @@
 """Scenes with right and with wrong cameras, for false_confidence.py. Poses: camera = rotation (world - center)."""
 
-import struct
 from dataclasses import dataclass, replace
 from typing import Callable
 
 import cv2
 import numpy as np
 
-PARAMETER_COUNTS = {0: ("SIMPLE_PINHOLE", 3), 1: ("PINHOLE", 4), 2: ("SIMPLE_RADIAL", 4), 3: ("RADIAL", 5), 4: ("OPENCV", 8)}
+from camera_poses import read_cameras, read_images
+
 FLAT_SIZE = (480, 360)  # of rendered pictures, px
 FOCAL = 500.0
 NUM_FLAT = 12
@@ -25,50 +25,22 @@ class PosedPicture:
 @dataclass
 class Scene:
     name: str
-    is_right: bool
     make: Callable
-    max_image_size: int = 320
+    true: Callable = None  # the same views with right cameras, if cameras were moved
 
-    @property
-    def views(self):
-        return self.make()
+    is_right: bool = False
 
 
 # Photographs and made sets.
 
 
-def rotation_of(q):
-    w, x, y, z = np.array(q) / np.linalg.norm(q)
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                     [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                     [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
-
-
-def read_cameras(path):
-    data, at = path.read_bytes(), 8
-    cameras = {}
-    for _ in range(struct.unpack_from("<Q", data)[0]):
-        camera, model, width, height = struct.unpack_from("<iiQQ", data, at)
-        name, count = PARAMETER_COUNTS[model]
-        cameras[camera] = (name, list(struct.unpack_from(f"<{count}d", data, at + 24)), width)
-        at += 24 + 8 * count
-    return cameras
-
-
 def read_views(images, sparse):
     """In the order of the names."""
-    cameras = read_cameras(sparse / "cameras.bin")
-    data, at = (sparse / "images.bin").read_bytes(), 8
-    views = []
-    for _ in range(struct.unpack_from("<Q", data)[0]):
-        pose, camera = struct.unpack_from("<7d", data, at + 4), struct.unpack_from("<i", data, at + 60)[0]
-        end = data.index(b"\0", at + 64)
-        name = data[at + 64:end].decode()
-        at = end + 9 + 24 * struct.unpack_from("<Q", data, end + 1)[0]
-        model, parameters, _ = cameras[camera]
-        rotation = rotation_of(pose[:4])
-        views.append((name, PosedPicture(cv2.imread(str(images / name)), model, parameters, rotation, -rotation.T @ np.array(pose[4:]))))
-    return [view for _, view in sorted(views, key=lambda item: item[0])]
+    cameras, views = read_cameras(sparse / "cameras.bin"), []
+    for name, (rotation, translation, camera) in sorted(read_images(sparse / "images.bin").items()):
+        model, _, parameters = cameras[camera]
+        views.append(PosedPicture(cv2.imread(str(images / name)), model, parameters, rotation, -rotation.T @ translation))
+    return views
 
 
 # Flat things.
@@ -202,19 +174,18 @@ HALVES = {
 }
 
 
-def exchanged(rng):
+def exchanged(seed):
     return {
         "next-name": lambda v: with_pictures(v, np.roll(range(len(v)), 1)),
         "reversed-names": lambda v: with_pictures(v, range(len(v))[::-1]),
-        "permuted": lambda v: with_pictures(v, rng.permutation(len(v))),
+        "permuted": lambda v: with_pictures(v, np.random.default_rng(seed).permutation(len(v))),
         "mirrored": mirrored,
-        "one-picture": lambda v: copies(v, rng),
+        "one-picture": lambda v: copies(v, np.random.default_rng(seed)),
     }
 
 
 def scenes(sample, data, seed):
-    """All of them; data sets that are not there are left out."""
-    rng = np.random.default_rng(seed)
+    """All of them; data sets that are not there are left out. Each has random numbers of its own."""
     base = {}
     for light in ("day", "evening", "lamp", "mixed"):
         base[light] = lambda light=light: read_views(sample / light / "images", sample / "day/sparse")
@@ -227,10 +198,10 @@ def scenes(sample, data, seed):
             base[name] = lambda images=images, sparse=sparse: read_views(data / images, data / sparse)
 
     def right(name, make):
-        return Scene(name, True, make)
+        return Scene(name, make, is_right=True)
 
-    def wrong(name, make):
-        return Scene(name, False, make)
+    def wrong(name, make, true=None):
+        return Scene(name, make, true)
 
     found = [right(name, make) for name, make in base.items()]
     for name in base:
@@ -240,20 +211,20 @@ def scenes(sample, data, seed):
         if name in base:
             found.append(right(name + "-nine", lambda name=name: base[name]()[3:12]))
             for kind, change in HALVES.items():
-                found.append(wrong(f"{name}-{kind}", lambda name=name, change=change: change(base[name]())))
+                found.append(wrong(f"{name}-{kind}", lambda name=name, change=change: change(base[name]()), base[name]))
     for name in ("day", "room"):
         if name in base:
-            for kind, change in exchanged(rng).items():
+            for kind, change in exchanged(seed).items():
                 found.append(wrong(f"{name}-{kind}", lambda name=name, change=change: change(base[name]())))
     for k in (1, 2, 3):
-        texture = art(rng)
+        texture = texture_of([seed, k])
         arc = lambda texture=texture, k=k: on_arc(np.random.default_rng(k), texture)
         around = lambda texture=texture, k=k: anywhere(np.random.default_rng(k), texture)
         found += [right(f"art-{k}-arc", arc), right(f"art-{k}-anywhere", around)]
-        for kind, change in exchanged(rng).items():
+        for kind, change in exchanged(seed).items():
             found.append(wrong(f"art-{k}-{kind}", lambda make=(arc, around)[k % 2], change=change: change(make())))
     for kind in ("turned", "scaled", "far"):
-        found.append(wrong(f"art-3-{kind}", lambda make=arc, change=HALVES[kind]: change(make())))
+        found.append(wrong(f"art-3-{kind}", lambda make=arc, change=HALVES[kind]: change(make()), arc))
     for texture in (stripes, checkers, windows):
         name = texture.__name__
         found.append(right(f"{name}-arc", lambda t=texture: on_arc(np.random.default_rng(1), t(None))))
