@@ -97,8 +97,8 @@ void AddAgreement(const std::vector<ImageAgreement>& images, Trust* trust) {
 }
 
 void AddExplanations(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                     const DrawingGraph& graph, Trust* trust) {
-  const auto explained = FindExplainedEdgels(views, curves, graph, RunContext{});
+                     const DrawingGraph& graph, const RunContext& context, Trust* trust) {
+  const auto explained = FindExplainedEdgels(views, curves, graph, context);
   StillEdgels still = FindStillEdgels(views, curves, graph);
   for (size_t v = 0; v < views.size(); ++v) {
     for (size_t e = 0; e < still[v].size(); ++e) {
@@ -232,12 +232,13 @@ void SayVerdict(const Trust& trust, bool has_box, Console* console) {
 }  // namespace
 
 Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
-                   const std::vector<ImageCurves>& curves, const DrawingGraph& graph) {
+                   const std::vector<ImageCurves>& curves, const DrawingGraph& graph,
+                   const RunContext& context) {
   Trust trust;
   trust.num_images = set.CountImages(IdsOf(std::nullopt, views.size()));
   if (!curves.empty()) {
     AddAgreement(OfImages(set, MeasureAgreement(views, curves, graph)), &trust);
-    AddExplanations(views, curves, graph, &trust);
+    AddExplanations(views, curves, graph, context, &trust);
   }
   AddWeakCut(set, views, graph, &trust);
   AddCertainty(set, views, graph, &trust);
@@ -302,7 +303,7 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
 Trust ReportTrust(const ViewSet& set, const DrawingInScene& drawing, Console* console) {
   static const std::vector<ImageCurves> unknown;
   const auto& curves = drawing.curves ? *drawing.curves : unknown;
-  Trust trust = MeasureTrust(set, drawing.views, curves, drawing.graph);
+  Trust trust = MeasureTrust(set, drawing.views, curves, drawing.graph, console->context());
   trust.has_share_of_cameras = drawing.has_share_of_cameras;
   SayTrust(trust, HasBox(drawing.metadata.options_json), console);
   return trust;

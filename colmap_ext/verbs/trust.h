@@ -11,6 +11,7 @@
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 #include "limn/util/name_list.h"
+#include "limn/util/parallel.h"
 
 namespace limn::colmap_ext {
 
@@ -60,7 +61,8 @@ struct Trust {
 // `views` are those of the set with the cameras that the drawing fits; `curves` belong to them, or
 // are empty for a scene in tiles.
 Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
-                   const std::vector<ImageCurves>& curves, const DrawingGraph& graph);
+                   const std::vector<ImageCurves>& curves, const DrawingGraph& graph,
+                   const RunContext& context);
 
 // By what is expected to be right, what is explained and what was measured; doubtful if none of
 // this is known, or if images are apart.

@@ -18,9 +18,10 @@ struct DuplicateImage {
 // Images that add nothing, ascending: files with the same bytes, pictures that are nearly the same
 // (by two gray levels on average, when small) from nearly the same pose (by a quarter of a pixel at
 // the median depth of the points that are seen), and copies, which are not displaced although their
-// poses are, by up to two pixels. `images` are indices
-// into model.images, `paths` their files. Files of equal size are read, pictures of equal poses
-// decoded; the rest costs n log n. Throws IoError.
+// poses are, by up to two pixels. `images` are indices into model.images, `paths` their files.
+// Files of equal size are read, pictures of poses alike decoded, for copies up to eight large ones
+// per image. Poses are compared with those whose centers are near along the longest axis of the
+// scene: n log n, and n^2 where all are near to each other. Throws IoError.
 std::vector<DuplicateImage> FindDuplicateImages(const SparseModel& model,
                                                 const std::vector<int>& images,
                                                 const std::vector<std::string>& paths,

@@ -4,15 +4,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "limn/support/same_edge.h"
+
 namespace limn {
 namespace {
 
-// Edgels this near to each other that differ by less than the angle show the same edge, virtual px.
-constexpr double kSameEdgePx = 1.5;
-constexpr double kSameDirectionCosine = 0.9;
 constexpr int kUnclaimed = -1;
-// Links whose depths differ by more than this factor are different curves.
-constexpr float kOtherDepth = 1.15F;
 
 // Links that more views show come first.
 std::vector<int> ByShowingViews(const std::vector<ImageEvidence>& links) {
@@ -42,7 +39,7 @@ class Claims {
                            kSameDirectionCosine;
       if (owner_[near] == kUnclaimed || owner_[near] == link || !is_same) return;
       hit->own = false;
-      hit->elsewhere |= std::max(depth, depth_[near]) > kOtherDepth * std::min(depth, depth_[near]);
+      hit->elsewhere |= AreAtOtherDepths(depth, depth_[near]);
     });
   }
 

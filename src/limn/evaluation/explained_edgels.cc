@@ -9,16 +9,13 @@
 #include "limn/model/link_selection.h"
 #include "limn/support/edgel_index.h"
 #include "limn/support/edgel_residual.h"
+#include "limn/support/same_edge.h"
 
 namespace limn {
 namespace {
 
-// Edgels this near to a link that differ by less than the angle show it, virtual px.
-constexpr double kAlongPx = 1.5;
-constexpr double kAlongCosine = 0.9;
 constexpr double kStepPx = 1.5;
 constexpr double kMaxSteps = 20000;  // of a link
-constexpr float kOtherDepth = 1.15F;
 
 struct Explanation {
   Polyline3d points;  // about a step apart
@@ -56,10 +53,10 @@ class ViewExplanation {
       const auto direction = ProjectedDirection(view_, points[k], points[k + 1] - points[k]);
       if (!direction) continue;
       const auto depth = static_cast<float>((view_.cam_from_world * points[k]).z());
-      index_.ForEachWithin(*px, kAlongPx, [&](EdgelId id) {
+      index_.ForEachWithin(*px, kSameEdgePx, [&](EdgelId id) {
         const double angle = edgels_[id].tangent_rad;
         const Eigen::Vector2d tangent(std::cos(angle), std::sin(angle));
-        if (std::abs(tangent.dot(*direction)) < kAlongCosine) return;
+        if (std::abs(tangent.dot(*direction)) < kSameDirectionCosine) return;
         ExplainedEdgel& edgel = explained_[id];
         edgel.near = edgel.near > 0 ? std::min(edgel.near, depth) : depth;
         edgel.far = std::max(edgel.far, depth);
@@ -101,7 +98,7 @@ double ShareAtOtherDepths(const std::vector<std::vector<ExplainedEdgel>>& explai
   for (const std::vector<ExplainedEdgel>& of_view : explained) {
     for (const ExplainedEdgel& edgel : of_view) {
       num_explained += edgel.near > 0;
-      num_other += edgel.far > kOtherDepth * edgel.near;
+      num_other += AreAtOtherDepths(edgel.near, edgel.far);
     }
   }
   return num_explained > 0 ? static_cast<double>(num_other) / static_cast<double>(num_explained)

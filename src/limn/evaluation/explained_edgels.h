@@ -25,9 +25,8 @@ std::vector<std::vector<ExplainedEdgel>> FindExplainedEdgels(const std::vector<V
                                                              const DrawingGraph& graph,
                                                              const RunContext& context);
 
-// Of the edgels that links explain, the share that they explain at depths that differ by a factor
-// of more than 1.15: an edge is at one depth only, but before things that repeat in step with the
-// cameras edges of many depths fit.
+// Of the edgels that links explain, the share that they explain at other depths (AreAtOtherDepths):
+// an edge is at one depth only.
 double ShareAtOtherDepths(const std::vector<std::vector<ExplainedEdgel>>& explained);
 
 }  // namespace limn

@@ -38,11 +38,11 @@ TEST(MeasureTrust, CountsImagesNotTheirParts) {
   ViewSet set = ThreeImagesInParts();
   DrawingGraph graph;
   graph.links = {LinkSeenBy({0, 1, 4, 5, 8, 9}, 0.75), LinkSeenBy({0, 4, 8}, 0.25)};
-  const Trust of_parts = MeasureTrust(set, set.views, {}, graph);
+  const Trust of_parts = MeasureTrust(set, set.views, {}, graph, {});
   EXPECT_EQ(of_parts.num_images, 3u);
   EXPECT_EQ(of_parts.well_seen.value(), 0);
   for (size_t v = 0; v < set.files.size(); ++v) set.files[v].image_name = std::to_string(v);
-  const Trust of_images = MeasureTrust(set, set.views, {}, graph);
+  const Trust of_images = MeasureTrust(set, set.views, {}, graph, {});
   EXPECT_EQ(of_images.num_images, 12u);
   EXPECT_DOUBLE_EQ(of_images.well_seen.value(), 0.75);
 }
@@ -54,7 +54,7 @@ TEST(MeasureTrust, TellsWhatHasNoMeasuredDepth) {
   graph.links[1].tentative = graph.links[2].tentative = true;
   graph.links[1].doubt = LinkDoubt::kDepth;
   graph.links[2].doubt = LinkDoubt::kChance;
-  const Trust trust = MeasureTrust(set, set.views, {}, graph);
+  const Trust trust = MeasureTrust(set, set.views, {}, graph, {});
   EXPECT_DOUBLE_EQ(trust.tentative.value(), 0.75);
   EXPECT_DOUBLE_EQ(trust.unmeasured.value(), 0.5);
 }
@@ -63,11 +63,11 @@ TEST(MeasureTrust, TellsHowMuchOfWhatWasFoundIsRight) {
   const ViewSet set = ThreeImagesInParts();
   DrawingGraph graph;
   graph.links = {LinkSeenBy({0, 4}, 3), LinkSeenBy({0, 4}, 1), LinkSeenBy({0, 4}, 2)};
-  EXPECT_FALSE(MeasureTrust(set, set.views, {}, graph).right);
+  EXPECT_FALSE(MeasureTrust(set, set.views, {}, graph, {}).right);
   graph.links[0].confidence = 0.9;
   graph.links[1].confidence = 0.1;
   graph.links[1].tentative = true;
-  EXPECT_DOUBLE_EQ(MeasureTrust(set, set.views, {}, graph).right.value(), 0.7);
+  EXPECT_DOUBLE_EQ(MeasureTrust(set, set.views, {}, graph, {}).right.value(), 0.7);
 }
 
 Trust TrustIn(double right, double explained, double unmeasured) {

@@ -53,7 +53,7 @@ function evaluation(list) {
   return grid(['Within', 'Precision', 'Recall', 'F'], rows);
 }
 
-function trust({ images, explained, agree_less: less, many_views: many, ...shares }) {
+function trust({ images, explained, agree_less: less, many_views: many, apart, ...shares }) {
   const names = isList(less)
     ? `${less.length} of ${images}: ` +
       less.map(({ name, share }) => `${name} (${percent(share)})`).join(', ')
@@ -62,6 +62,16 @@ function trust({ images, explained, agree_less: less, many_views: many, ...share
   return facts([
     ['Edges of an image that it explains', isKnown(explained) ? percent(explained) : null],
     ['Images that agree much less', isKnown(explained) ? names : null],
+    [
+      'Images whose cameras do not fit the others',
+      isList(apart)
+        ? `${apart.length} of ${images}, with ${percent(shares.shared_if_apart)} of the curves in common that they should have: ${apart.join(', ')}`
+        : null,
+    ],
+    [
+      'Edges drawn that fit several depths',
+      isKnown(shares.at_other_depths) ? percent(shares.at_other_depths) : null,
+    ],
     [
       `Length seen by ${many} or more images`,
       isKnown(shares.well_seen) ? percent(shares.well_seen) : null,
