@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "colmap_ext/workspace/shallow_search.h"
 #include "limn/util/errors.h"
+#include "limn/util/lower_case.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -20,9 +20,7 @@ constexpr std::array kImageExtensions = {".png", ".jpg", ".jpeg", ".tif",  ".tif
 constexpr char kAnyExtension[] = "/";
 
 bool IsImage(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = LowerCase(path.extension().string());
   return std::find(kImageExtensions.begin(), kImageExtensions.end(), extension) !=
          kImageExtensions.end();
 }

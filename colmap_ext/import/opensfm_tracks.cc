@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "limn/files/whole_file.h"
+#include "limn/files/text_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -47,7 +47,7 @@ void AddMeasurement(const Eigen::Vector2d& relative, uint32_t image_index, Model
 
 void AddOpensfmTracks(const std::string& path, const std::map<std::string, int>& image_of_name,
                       const std::map<std::string, size_t>& point_of_track, ImportedScene* scene) {
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadTextFile(path);
   std::string_view rest = text;
   for (uint64_t number = 1; !rest.empty(); ++number) {
     std::string_view line = rest.substr(0, rest.find('\n'));

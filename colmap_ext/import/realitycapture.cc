@@ -10,7 +10,7 @@
 #include "colmap_ext/import/brown_lens.h"
 #include "colmap_ext/import/stated_size.h"
 #include "colmap_ext/workspace/camera_files.h"
-#include "limn/files/whole_file.h"
+#include "limn/files/text_file.h"
 #include "limn/util/angles.h"
 
 namespace limn::colmap_ext {
@@ -134,12 +134,11 @@ bool HoldsRealityCapture(const fs::path& path) {
 
 ImportedScene ReadRealityCapture(const ImportInput& input) {
   const std::string path = TheCameraFile(input.path, kRealityCaptureType).string();
-  const std::string text = ReadWholeFile(path, kMaxListBytes);
+  const std::string text = ReadTextFile(path, kMaxListBytes);
   ImportedScene scene;
   scene.notes = {"Read " + path};
   std::optional<Columns> columns;
   std::string_view rest = text;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
   for (uint64_t number = 1; !rest.empty(); ++number) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));

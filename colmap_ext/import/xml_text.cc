@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "limn/files/text_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -39,7 +40,7 @@ class XmlScanner {
   XmlScanner(const std::string& path, std::string_view text) : path_(path), text_(text) {}
 
   XmlElement Document() {
-    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+    at_ = MarkLength(path_, text_);
     SkipMisc();
     XmlElement root = Element(1);
     SkipMisc();

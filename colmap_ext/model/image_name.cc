@@ -1,11 +1,12 @@
 #include "colmap_ext/model/image_name.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <cstdio>
 #include <string_view>
 #include <system_error>
+
+#include "limn/util/lower_case.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -46,10 +47,7 @@ bool IsUtf8(std::string_view text) {
 // What is the same in names that were changed by accident.
 std::string Essence(std::string name) {
   std::replace(name.begin(), name.end(), '\\', '/');
-  std::string stem = fs::path(name).stem().string();
-  std::transform(stem.begin(), stem.end(), stem.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return stem;
+  return LowerCase(fs::path(name).stem().string());
 }
 
 }  // namespace

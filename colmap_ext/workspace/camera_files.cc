@@ -1,13 +1,13 @@
 #include "colmap_ext/workspace/camera_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "colmap_ext/workspace/shallow_search.h"
+#include "limn/util/lower_case.h"
 #include "limn/util/name_list.h"
 
 namespace limn::colmap_ext {
@@ -86,12 +86,6 @@ const std::vector<Kind>& Kinds() {
        "its calibrated external parameters are not read: export undistorted images to COLMAP"},
   };
   return kinds;
-}
-
-std::string LowerCase(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 std::string HeadOf(const fs::path& file) {

@@ -17,6 +17,7 @@
 #include "colmap_ext/workspace/name_encoding.h"
 #include "limn/files/text_file.h"
 #include "limn/util/errors.h"
+#include "limn/util/lower_case.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -30,12 +31,6 @@ constexpr std::array<std::string_view, 12> kPictureEnds = {".png",  ".jpg", ".jp
 bool IsRegularFile(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
-}
-
-std::string LowerCase(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 // Without the extension of a picture; nothing if it has none.

@@ -8,33 +8,13 @@
 #include <limits>
 #include <string_view>
 
+#include "colmap_ext/workspace/stream_bytes.h"
 #include "colmap_ext/workspace/tiff_directory.h"
 
 namespace limn::colmap_ext {
 namespace {
 
 constexpr std::array<int, 8> kPngSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-
-// Big endian; negative at the end of the stream.
-int64_t ReadBigEndian(std::istream& in, int num_bytes) {
-  int64_t value = 0;
-  for (int i = 0; i < num_bytes; ++i) {
-    const int byte = in.get();
-    if (byte < 0) return -1;
-    value = value << 8 | byte;
-  }
-  return value;
-}
-
-int64_t ReadLittleEndian(std::istream& in, int num_bytes) {
-  int64_t value = 0;
-  for (int i = 0; i < num_bytes; ++i) {
-    const int byte = in.get();
-    if (byte < 0) return -1;
-    value |= int64_t{byte} << (8 * i);
-  }
-  return value;
-}
 
 // Whether these bytes come next; reads no further than the first that differs.
 bool Follows(std::istream& in, std::string_view bytes) {

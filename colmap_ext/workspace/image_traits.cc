@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "colmap_ext/workspace/stream_bytes.h"
 #include "colmap_ext/workspace/tiff_directory.h"
 
 namespace limn::colmap_ext {
@@ -13,27 +14,6 @@ namespace {
 
 // EXIF data are small; a segment of JPEG has at most 64 KB.
 constexpr int64_t kMaxExifBytes = 1 << 20;
-
-// Big endian; negative at the end of the stream.
-int64_t BigEndian(std::istream& in, int num_bytes) {
-  int64_t value = 0;
-  for (int i = 0; i < num_bytes; ++i) {
-    const int byte = in.get();
-    if (byte < 0) return -1;
-    value = value << 8 | byte;
-  }
-  return value;
-}
-
-int64_t LittleEndian(std::istream& in, int num_bytes) {
-  int64_t value = 0;
-  for (int i = 0; i < num_bytes; ++i) {
-    const int byte = in.get();
-    if (byte < 0) return -1;
-    value |= int64_t{byte} << (8 * i);
-  }
-  return value;
-}
 
 std::string Bytes(std::istream& in, int64_t count) {
   std::string bytes(static_cast<size_t>(std::clamp<int64_t>(count, 0, kMaxExifBytes)), '\0');
@@ -58,7 +38,7 @@ ImageTraits OfJpeg(std::istream& in) {
     int marker = in.get();
     while (marker == 0xFF) marker = in.get();
     constexpr int kApp1 = 0xE1, kScan = 0xDA;
-    const int64_t length = BigEndian(in, 2);
+    const int64_t length = ReadBigEndian(in, 2);
     if (marker < 0 || marker == kScan || length < 2) break;
     const std::streamoff end = in.tellg() + static_cast<std::streamoff>(length - 2);
     if (marker == kApp1) {
@@ -80,8 +60,8 @@ ImageTraits OfPng(std::istream& in) {
                     kEnd = 0x49454E44;
   int color_type = 0;
   while (true) {
-    const int64_t length = BigEndian(in, 4);
-    const int64_t type = BigEndian(in, 4);
+    const int64_t length = ReadBigEndian(in, 4);
+    const int64_t type = ReadBigEndian(in, 4);
     if (length < 0 || type < 0 || type == kEnd) return traits;
     const std::streamoff end = in.tellg() + static_cast<std::streamoff>(length + 4);
     if (type == kHeader) {
@@ -104,7 +84,7 @@ ImageTraits OfWebp(std::istream& in) {
   in.seekg(12);
   while (true) {
     const std::string kind = Bytes(in, 4);
-    const int64_t length = LittleEndian(in, 4);
+    const int64_t length = ReadLittleEndian(in, 4);
     if (kind.size() < 4 || length < 0) return traits;
     const std::streamoff end = in.tellg() + static_cast<std::streamoff>(length + (length & 1));
     if (kind == "VP8X") {
@@ -112,7 +92,7 @@ ImageTraits OfWebp(std::istream& in) {
       traits.has_alpha = (std::max(in.get(), 0) & kAlphaFlag) != 0;
     } else if (kind == "VP8L") {
       in.ignore(1);
-      const int64_t bits = LittleEndian(in, 4);
+      const int64_t bits = ReadLittleEndian(in, 4);
       traits.has_alpha = traits.has_alpha || (bits >= 0 && (bits >> 28 & 1) != 0);
     } else if (kind == "EXIF") {
       traits.orientation = OrientationOfExif(Bytes(in, length));
@@ -171,7 +151,7 @@ ImageTraits OfPnm(std::istream& in) {
 }  // namespace
 
 ImageTraits ReadTraits(std::istream& in) {
-  const int64_t start = BigEndian(in, 4);
+  const int64_t start = ReadBigEndian(in, 4);
   in.clear();
   in.seekg(0);
   if (start >> 16 == 0xFFD8) return OfJpeg(in);

@@ -1,7 +1,6 @@
 #include "limn/files/whole_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -12,6 +11,7 @@
 #include <zlib.h>
 
 #include "limn/util/errors.h"
+#include "limn/util/lower_case.h"
 
 namespace limn {
 
@@ -82,10 +82,7 @@ std::string ReadWholeFile(const std::string& path, uint64_t max_bytes) {
 std::string FileExtension(const std::string& file) {
   std::filesystem::path path(file);
   if (path.extension() == ".gz") path = path.stem();
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return LowerCase(path.extension().string());
 }
 
 }  // namespace limn

@@ -1,7 +1,6 @@
 #include "limn/formats/write_drawing.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "limn/files/atomic_file.h"
@@ -12,6 +11,7 @@
 #include "limn/formats/ply_sketch_writer.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/util/errors.h"
+#include "limn/util/lower_case.h"
 
 namespace limn {
 namespace {
@@ -123,9 +123,7 @@ const Format& FormatByName(const std::string& path, const std::string& name) {
 }
 
 const Format& FormatByExtension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = LowerCase(std::filesystem::path(path).extension().string());
   for (const Format& format : Formats()) {
     const auto& extensions = format.extensions;
     if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) {
