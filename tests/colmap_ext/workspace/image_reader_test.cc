@@ -17,6 +17,7 @@
 
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/error_line.h"
+#include "colmap_ext/workspace/exif_of_jpeg.h"
 #include "colmap_ext/workspace/image_header.h"
 #include "colmap_ext/workspace/image_traits.h"
 #include "colmap_ext/workspace/quiet_decoders.h"
@@ -40,19 +41,6 @@ class ImageReader : public ::testing::Test {
 
   TempDir dir_;
 };
-
-// A JPEG of 6 x 4 pixels whose EXIF asks for a turn by 90 degrees (orientation 6).
-std::string RotatedJpeg(const std::string& plain) {
-  const std::string exif(
-      "\xFF\xE1\x00\x22"
-      "Exif\0\0"
-      "II\x2A\0\x08\0\0\0"
-      "\x01\0"
-      "\x12\x01\x03\0\x01\0\0\0\x06\0\0\0"
-      "\0\0\0\0",
-      36);
-  return plain.substr(0, 2) + exif + plain.substr(2);
-}
 
 std::string Content(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -97,7 +85,7 @@ TEST_F(ImageReader, AlphaIsDropped) {
 
 TEST_F(ImageReader, ExifRotationIsIgnored) {
   const std::string plain = Write("plain.jpg", cv::Mat(4, 6, CV_8UC3, cv::Scalar(9, 9, 9)));
-  const std::string path = dir_.WriteFile("rotated.jpg", RotatedJpeg(Content(plain)));
+  const std::string path = dir_.WriteFile("rotated.jpg", WithOrientation(Content(plain), 6));
   // The file does ask for a rotation.
   ASSERT_EQ(cv::imread(path).cols, 4);
   EXPECT_EQ(ReadImage(path).width, 6);
@@ -295,9 +283,10 @@ TEST_F(ImageReader, PicturesAreTurnedOnRequest) {
 TEST_F(ImageReader, OrientationsOfAllFormatsAreFound) {
   const std::string path = Write("a.jpg", cv::Mat(4, 6, CV_8UC1, cv::Scalar(7)));
   EXPECT_EQ(ReadTraits(std::filesystem::path(path)).orientation, 1);
-  EXPECT_EQ(ReadTraits(std::filesystem::path(dir_.WriteFile("b.jpg", RotatedJpeg(Content(path)))))
-                .orientation,
-            6);
+  EXPECT_EQ(
+      ReadTraits(std::filesystem::path(dir_.WriteFile("b.jpg", WithOrientation(Content(path), 6))))
+          .orientation,
+      6);
 }
 
 TEST_F(ImageReader, PartsOfTheRangeAreStretched) {

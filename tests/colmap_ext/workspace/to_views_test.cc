@@ -10,6 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "colmap_ext/workspace/exif_of_jpeg.h"
 #include "colmap_ext/workspace/to_views_fixture.h"
 
 namespace limn::colmap_ext {
@@ -561,23 +562,12 @@ TEST_F(ToViewsTest, PartsOfTheRangeOfSixteenBitsAreStretched) {
 
 // Of a model of upright pictures.
 TEST_F(ToViewsTest, ExifTurnsPicturesIfTheirCamerasSaySo) {
-  const std::string exif(
-      "\xFF\xE1\x00\x22"
-      "Exif\0\0"
-      "II\x2A\0\x08\0\0\0"
-      "\x01\0"
-      "\x12\x01\x03\0\x01\0\0\0\x06\0\0\0"
-      "\0\0\0\0",
-      36);
   const auto write_turned = [&](const std::string& name, int width, int height, char orientation) {
     cv::Mat pixels(height, width, CV_8UC3, cv::Scalar(10, 20, 30 * (name[0] % 7)));
     pixels.colRange(0, width / 2).setTo(200);
     std::vector<uchar> jpeg;
     ASSERT_TRUE(cv::imencode(".jpg", pixels, jpeg));
-    std::string tag = exif;
-    tag[tag.size() - 8] = orientation;
-    const std::string plain(jpeg.begin(), jpeg.end());
-    dir_.WriteFile(name, plain.substr(0, 2) + tag + plain.substr(2));
+    dir_.WriteFile(name, WithOrientation({jpeg.begin(), jpeg.end()}, orientation));
   };
   write_turned("c.png", 600, 800, 6);
   write_turned("b.png", 800, 600, 3);  // as the other one, though its size does not tell
