@@ -140,20 +140,24 @@ void TryDepths(const std::vector<Examined>& examined, const std::vector<View>& v
       });
 }
 
-SeenPlace MirroredIn(const SeenPlace& place, const DepthImage& image, bool left_right,
-                     bool up_down) {
+struct Mirroring {
+  bool left_right = false;
+  bool up_down = false;
+};
+
+SeenPlace MirroredIn(const SeenPlace& place, const DepthImage& image, const Mirroring& mirroring) {
   const Eigen::Vector2d last = image.PixelOf(image.width - 1, image.height - 1);
   SeenPlace mirrored = place;
-  if (left_right) mirrored.pixel.x() = image.origin_px.x() + last.x() - place.pixel.x();
-  if (up_down) mirrored.pixel.y() = image.origin_px.y() + last.y() - place.pixel.y();
+  if (mirroring.left_right) mirrored.pixel.x() = image.origin_px.x() + last.x() - place.pixel.x();
+  if (mirroring.up_down) mirrored.pixel.y() = image.origin_px.y() + last.y() - place.pixel.y();
   return mirrored;
 }
 
 void TryPixels(Trial* trial) {
-  for (const auto& [left_right, up_down] : {std::pair(true, false), {false, true}, {true, true}}) {
+  for (const Mirroring& mirroring : {Mirroring{true, false}, {false, true}, {true, true}}) {
     trial->Try({.kind = Kind::kMirrored},
                [=](const SeenPlace& place, const View&, const DepthImage& image) {
-                 return MirroredIn(place, image, left_right, up_down);
+                 return MirroredIn(place, image, mirroring);
                });
   }
   for (int dy = -kShiftSteps; dy <= kShiftSteps; ++dy) {
