@@ -63,6 +63,26 @@ std::string ChangesAsCsv(const RefinedCameras& cameras) {
   return csv;
 }
 
+std::string NamesOfPart(const std::vector<ViewId>& part, const std::vector<View>& views) {
+  std::vector<std::string> names;
+  for (const ViewId v : part) names.push_back(views[v].name);
+  return "the cameras of " + std::to_string(part.size()) + " of " + std::to_string(views.size()) +
+         " images, " + ListNames(names) + ",";
+}
+
+void SayParts(const RefinedCameras& cameras, Console* console) {
+  if (!cameras.part.empty()) {
+    console->Say(
+        "As one, " + NamesOfPart(cameras.part, cameras.views) +
+        " were off and have moved: a model that was merged, or a loop that was not closed?");
+  }
+  if (!cameras.part_left.empty()) {
+    console->Say("WARNING: as one, " + NamesOfPart(cameras.part_left, cameras.views) +
+                 " are off still: lines may be drawn twice. Make the model anew, or draw the parts "
+                 "one by one (--image_list_path)");
+  }
+}
+
 void SayChanges(const RefinedCameras& cameras, const ViewSet& set, Console* console) {
   std::vector<double> residuals;
   std::vector<NamedNumber> misfits;
@@ -77,6 +97,7 @@ void SayChanges(const RefinedCameras& cameras, const ViewSet& set, Console* cons
                ShortNumber(cameras.median_move_px) + " px (median); edges are now within " +
                ShortNumber(Median(std::move(residuals))) + " px of their curves (median)");
   SayOptics(cameras, set, console);
+  SayParts(cameras, console);
   if (num_unseen > 0) {
     console->Say("WARNING: " + std::to_string(num_unseen) + " of " +
                  std::to_string(cameras.views.size()) +

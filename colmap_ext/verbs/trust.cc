@@ -43,6 +43,8 @@ constexpr double kMuchAtOtherDepths = 0.04;
 // is nonsense (algorithm/belief.md#verdict).
 constexpr double kGoodShare = 0.5;
 constexpr double kNonsenseShare = 0.03;
+// Of the length found, below which a drawing that is not nonsense must not be trusted either.
+constexpr double kFewRight = 0.3;
 
 std::string Percent(double share) { return ShortNumber(100 * share) + " %"; }
 
@@ -184,8 +186,8 @@ void SayAgreement(const Trust& trust, bool has_box, Console* console) {
                ". Their poses are wrong, or they show other things");
 }
 
-// Why the drawing is nonsense, and what to look at.
-void WarnOfNonsense(const Trust& trust, bool has_box, Console* console) {
+// Why, and what to look at.
+void WarnNotToTrust(const Trust& trust, bool has_box, Console* console) {
   const std::string finding = ExplainsNothing(trust, has_box)
                                   ? "the drawing explains next to nothing of the images"
                                   : "only " + Percent(trust.right.value_or(0)) +
@@ -216,6 +218,10 @@ void SayCertainty(const Trust& trust, Console* console) {
       " px (90 %)");
 }
 
+bool IsMuchTentative(const Trust& trust) {
+  return trust.tentative.value_or(0) - trust.unmeasured.value_or(0) > kMuchTentative;
+}
+
 bool HasNoDepth(const Trust& trust) { return trust.unmeasured.value_or(0) > kMostUnmeasured; }
 
 void SayVerdict(const Trust& trust, bool has_box, Console* console) {
@@ -226,7 +232,10 @@ void SayVerdict(const Trust& trust, bool has_box, Console* console) {
     line += ", " + Percent(*trust.right) + " of the length found is expected to be right";
   console->Say(line);
   // Without depth all links are tentative and explain nothing; that cause has been told.
-  if (verdict == Verdict::kNonsense && !HasNoDepth(trust)) WarnOfNonsense(trust, has_box, console);
+  const bool is_few = trust.right.value_or(1) < kFewRight && !IsMuchTentative(trust);
+  if ((verdict == Verdict::kNonsense || is_few) && !HasNoDepth(trust)) {
+    WarnNotToTrust(trust, has_box, console);
+  }
 }
 
 }  // namespace
@@ -267,7 +276,7 @@ Verdict VerdictOf(const Trust& trust, bool has_box) {
 void SayTrust(const Trust& trust, bool has_box, Console* console) {
   if (trust.explained) SayAgreement(trust, has_box, console);
   if (trust.tentative) {
-    const bool is_much = *trust.tentative - trust.unmeasured.value_or(0) > kMuchTentative;
+    const bool is_much = IsMuchTentative(trust);
     console->Say((is_much ? "WARNING: " : "") + Percent(*trust.tentative) +
                  " of the length found is doubtful, hence tentative and not exported" +
                  (is_much

@@ -26,8 +26,7 @@ class PosedPicture:
 class Scene:
     name: str
     make: Callable
-    true: Callable = None  # the same views with right cameras, if cameras were moved
-
+    base: str = ""  # the same views with right cameras, if cameras were moved
     is_right: bool = False
 
 
@@ -200,8 +199,8 @@ def scenes(sample, data, seed):
     def right(name, make):
         return Scene(name, make, is_right=True)
 
-    def wrong(name, make, true=None):
-        return Scene(name, make, true)
+    def wrong(name, make, base=""):
+        return Scene(name, make, base)
 
     found = [right(name, make) for name, make in base.items()]
     for name in base:
@@ -211,7 +210,7 @@ def scenes(sample, data, seed):
         if name in base:
             found.append(right(name + "-nine", lambda name=name: base[name]()[3:12]))
             for kind, change in HALVES.items():
-                found.append(wrong(f"{name}-{kind}", lambda name=name, change=change: change(base[name]()), base[name]))
+                found.append(wrong(f"{name}-{kind}", lambda name=name, change=change: change(base[name]()), name))
     for name in ("day", "room"):
         if name in base:
             for kind, change in exchanged(seed).items():
@@ -224,7 +223,7 @@ def scenes(sample, data, seed):
         for kind, change in exchanged(seed).items():
             found.append(wrong(f"art-{k}-{kind}", lambda make=(arc, around)[k % 2], change=change: change(make())))
     for kind in ("turned", "scaled", "far"):
-        found.append(wrong(f"art-3-{kind}", lambda make=arc, change=HALVES[kind]: change(make()), arc))
+        found.append(wrong(f"art-3-{kind}", lambda make=arc, change=HALVES[kind]: change(make()), "art-3-arc"))
     for texture in (stripes, checkers, windows):
         name = texture.__name__
         found.append(right(f"{name}-arc", lambda t=texture: on_arc(np.random.default_rng(1), t(None))))

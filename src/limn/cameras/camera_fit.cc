@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 
 #include "limn/cameras/camera_equations.h"
+#include "limn/cameras/camera_part.h"
 
 namespace limn {
 namespace {
@@ -29,6 +30,12 @@ std::optional<Eigen::VectorXd> StepOf(const CameraSystem& system, double damping
   return step.allFinite() ? std::optional(std::move(step)) : std::nullopt;
 }
 
+// Of the unknowns of a part.
+CameraSystem Restricted(const CameraSystem& system, const Eigen::MatrixXd& steps) {
+  const Eigen::MatrixXd product = system.normal.selfadjointView<Eigen::Upper>() * steps;
+  return {steps.transpose() * product, steps.transpose() * system.gradient};
+}
+
 // Minimizes; the state is that of the least cost that was found.
 class Descent {
  public:
@@ -40,14 +47,25 @@ class Descent {
     cost_ = equations.Cost(state_);
   }
 
+  // From now on only the part moves, as one.
+  void Restrict(const CameraPart& part, const Eigen::Vector3d& middle) {
+    part_ = part;
+    middle_ = middle;
+  }
+
   // Returns whether the cost decreased so much that another step is worth it.
   bool Improve() {
-    const CameraSystem system = equations_.Linearize(state_);
+    CameraSystem system = equations_.Linearize(state_);
+    Eigen::MatrixXd steps;
+    if (!part_.empty()) {
+      steps = StepsOfPart(part_, equations_, state_, middle_);
+      system = Restricted(system, steps);
+    }
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
       const auto step = StepOf(system, damping_);
       has_solution_ |= step.has_value();
       if (step) {
-        CameraState next = equations_.After(state_, *step);
+        CameraState next = equations_.After(state_, part_.empty() ? *step : steps * *step);
         const double cost = equations_.Cost(next);
         if (cost < cost_) {
           const bool goes_on = cost_ - cost > kMinGain * cost_;
@@ -68,6 +86,8 @@ class Descent {
 
  private:
   const CameraEquations& equations_;
+  CameraPart part_;
+  Eigen::Vector3d middle_;
   CameraState state_;
   double cost_;
   double damping_ = kStartDamping;
@@ -82,12 +102,18 @@ std::optional<CameraFitResult> FitCameras(const CameraFitInput& input, const Run
   Descent descent(equations);
   const double cost_of_given = descent.cost();
   const double curve_cost_of_given = equations.CurveCost(descent.state());
+  CameraFitResult result;
+  if (input.part) {
+    const auto& [middle, part] = *input.part;
+    result.part = part.empty() ? FindPart(equations, descent.state(), middle) : part;
+    if (result.part.empty()) return std::nullopt;
+    descent.Restrict(result.part, middle);
+  }
   for (int i = 0; i < kMaxIterations; ++i) {
     ThrowIfCancelled(context);
     if (!descent.Improve()) break;
   }
   if (!descent.has_solution() || !std::isfinite(descent.cost())) return std::nullopt;
-  CameraFitResult result;
   if (cost_of_given > 0) result.gain = 1 - descent.cost() / cost_of_given;
   if (curve_cost_of_given > 0) {
     result.gain_of_curves = 1 - equations.CurveCost(descent.state()) / curve_cost_of_given;

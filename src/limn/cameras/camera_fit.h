@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "limn/cameras/camera_covariance.h"
+#include "limn/cameras/camera_part.h"
 #include "limn/cameras/camera_problem.h"
 #include "limn/geometry/rigid3.h"
 #include "limn/util/parallel.h"
@@ -21,6 +22,7 @@ struct CameraFitResult {
   double gain = 0;
   // The same of curves alone. Below 0 if points gain what curves lose.
   double gain_of_curves = 0;
+  CameraPart part;                             // that moved, if the input asks for one
   std::optional<CameraCovariance> covariance;  // if the input asks for it
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,6 +35,14 @@ struct Landmark {
   std::vector<LandmarkLine> lines;
 };
 
+// Per body, whether it belongs to a part of the cameras that moves as one.
+using CameraPart = std::vector<uint8_t>;
+
+struct PartMotion {
+  Eigen::Vector3d middle;
+  CameraPart part;  // empty: that which is most off (FindPart)
+};
+
 // What is adjusted, and where it was given.
 struct CameraFitInput {
   const std::vector<View>& views;
@@ -44,6 +54,7 @@ struct CameraFitInput {
   // px: by how much it moves the border of an image.
   std::map<int, Eigen::VectorXd> parameters;
   bool with_covariance = false;
+  std::optional<PartMotion> part = {};  // if set: nothing else moves
 };
 
 }  // namespace limn

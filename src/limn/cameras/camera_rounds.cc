@@ -12,6 +12,7 @@
 #include "limn/cameras/camera_fit.h"
 #include "limn/cameras/camera_landmarks.h"
 #include "limn/cameras/camera_uncertainty.h"
+#include "limn/cameras/gauge.h"
 #include "limn/geometry/median_point.h"
 #include "limn/model/shrunk.h"
 #include "limn/refinement/curve_fit.h"
@@ -35,6 +36,15 @@ constexpr double kLeastEvidence = 100;
 // Gate within which the motion of rows is measured, and scale of its loss, in multiples of those of
 // the options: what rows are off must not be left out.
 constexpr double kReachOfRows = 2;
+// Gates within which a part that is off is looked for, and then moves.
+constexpr double kReachesOfPart[] = {4, 4, 2, 1};
+// A part is off if its motion gains this share of the cost, and each of its unknowns that of so
+// many links (algorithm/cameras.md#parts).
+constexpr double kLeastGainOfPart = 0.03;
+constexpr double kLinksPerUnknownOfPart = 1;
+// A view belongs to the other side of a part if it shows so many times as much of the drawing
+// there.
+constexpr double kMoreShown = 1.1;
 
 class CameraRounds {
  public:
@@ -59,9 +69,13 @@ class CameraRounds {
 
   CameraRoundsResult Run() {
     result_.of_view.resize(scene_.views.size());
+    if (input_.part_of_drawing) ExchangeViews(*input_.part_of_drawing);
+    if (input_.moves_parts && result_.part.views.empty()) MovePart();
+    if (!result_.part.views.empty()) return std::move(result_);
     for (size_t i = 0; i < input_.reaches.size(); ++i) {
       const bool is_last = i + 1 == input_.reaches.size();
-      const Outcome outcome = Round(input_.reaches[i], is_last && !input_.optics_reaches.empty());
+      const Outcome outcome = Round({.reach = input_.reaches[i],
+                                     .with_certainty = is_last && !input_.optics_reaches.empty()});
       if (i > 0) continue;
       result_.gain = outcome.gain;
       result_.num_links = outcome.num_links;
@@ -69,11 +83,18 @@ class CameraRounds {
     if (input_.measures_rows && !HaveOtherOptics()) MeasureRows(input_.reaches.back());
     if (!input_.optics_reaches.empty()) RefineOptics();
     if (input_.measures_rows && HaveOtherOptics()) MeasureRows(input_.optics_reaches.back());
+    if (input_.part_of_drawing) LookForPart();
     return std::move(result_);
   }
 
  private:
+  struct RoundInput {
+    double reach = 1;
+    bool with_certainty = false;
+    CameraPart* part = nullptr;  // which alone moves; empty: is looked for
+  };
   struct Outcome {
+    bool has_moved = false;
     size_t num_links = 0;
     double gain = 0;
     double gain_of_curves = 0;
@@ -91,7 +112,7 @@ class CameraRounds {
     const bool are_refined = HaveOtherOptics();
     const CameraRoundsResult of_poses = result_;
     for (size_t i = 0; i < input_.optics_reaches.size(); ++i) {
-      const Outcome outcome = Round(input_.optics_reaches[i], true);
+      const Outcome outcome = Round({.reach = input_.optics_reaches[i], .with_certainty = true});
       if (i > 0 || are_refined) continue;
       result_.optics_are_off =
           outcome.gain_of_curves > 0 && outcome.evidence_of_optics > kLeastEvidence;
@@ -113,13 +134,83 @@ class CameraRounds {
     for (const View& view : scene_.views) seen_through_.push_back(view.lens);
   }
 
+  // Moves the part of the cameras that is off, if there is one.
+  void MovePart() {
+    CameraPart part;
+    const std::vector<View> before = scene_.views;
+    for (const double reach : kReachesOfPart) {
+      if (!Round({.reach = reach, .part = &part}).has_moved) return;
+    }
+    result_.part.views = ViewsOf(part);
+    std::vector<View> part_before, part_now;
+    for (const ViewId v : result_.part.views) {
+      part_before.push_back(before[v]);
+      part_now.push_back(scene_.views[v]);
+    }
+    result_.part.motion = FindGauge(part_now, part_before, MiddleOfCurves()).given_from_refined;
+  }
+
+  // That which is off in spite of all; moves nothing.
+  void LookForPart() {
+    CameraPart part;
+    CameraScene scene = scene_;
+    CameraRoundsResult result = result_;
+    const bool is_off = Round({.reach = kReachesOfPart[0], .part = &part}).has_moved;
+    scene_ = std::move(scene);
+    result_ = std::move(result);
+    if (is_off) result_.part_left = ViewsOf(part);
+  }
+
+  std::vector<ViewId> ViewsOf(const CameraPart& part) const {
+    std::vector<ViewId> views;
+    for (size_t v = 0; v < scene_.views.size(); ++v) {
+      if (part[BodyOf(v)]) views.push_back(static_cast<ViewId>(v));
+    }
+    return views;
+  }
+
+  // What was farther off than the gate did not count when the part was found.
+  void ExchangeViews(const MovedPart& part) {
+    const size_t num_views = scene_.views.size();
+    std::vector<uint8_t> is_in_part(num_views, 0);
+    for (const ViewId v : part.views) is_in_part[v] = 1;
+    const std::vector<View> there = Moved(scene_.views, part.motion);
+    const std::vector<View> back = Moved(scene_.views, part.motion.inverse());
+    std::vector<View> exchanged = scene_.views;
+    for (size_t v = 0; v < num_views; ++v) exchanged[v] = is_in_part[v] ? back[v] : there[v];
+    const std::vector<int> shown = EdgelsPerBody(scene_.views);
+    const std::vector<int> shown_then = EdgelsPerBody(exchanged);
+    std::vector<ViewId> now_in_part;
+    bool has_exchanged = false;
+    for (size_t v = 0; v < num_views; ++v) {
+      const int body = BodyOf(v);
+      const bool changes = !scene_.mounts.held[body] && shown_then[body] > kMoreShown * shown[body];
+      if (changes) scene_.views[v].cam_from_world = exchanged[v].cam_from_world;
+      has_exchanged |= changes;
+      if (is_in_part[v] != (changes ? 1 : 0)) now_in_part.push_back(static_cast<ViewId>(v));
+    }
+    small_views_ = ShrunkViews(scene_.views, level_.factor);
+    if (has_exchanged) result_.part = {std::move(now_in_part), part.motion};
+  }
+
+  // Matched along the drawing as these views, which have other poses, see it.
+  std::vector<int> EdgelsPerBody(const std::vector<View>& views) {
+    small_views_ = ShrunkViews(views, level_.factor);
+    Match(1, &control_);
+    std::vector<int> counts(scene_.mounts.NumBodies(), 0);
+    ForPulls([&](EdgelPull* pull) { ++counts[BodyOf(pull->ref.view)]; });
+    return counts;
+  }
+
+  int BodyOf(size_t view) const { return scene_.mounts.of_view[view].body; }
+
   // Nothing has moved, and nothing is gained, without a solution.
-  Outcome Round(double reach, bool with_certainty) {
+  Outcome Round(const RoundInput& round) {
     if (has_fitted_) FitCurvesAgain();
-    Match(reach, &control_);
+    Match(round.reach, &control_);
     MeasureResiduals();
     const LandmarkInput input = {scene_.views, *curves_, level_.factor, per_px_,
-                                 reach * options_.robust_residual_px};
+                                 round.reach * options_.robust_residual_px};
     std::vector<Landmark> landmarks = CurveLandmarks(input, control_, kMaxLines);
     PointLandmarks of_points = LandmarksOfPoints(input, scene_.points);
     const size_t num_on_curves = landmarks.size();
@@ -127,9 +218,16 @@ class CameraRounds {
     if (landmarks.empty()) return {};
     const Eigen::Vector3d middle = MiddleOf(landmarks);
     CameraFitInput fit_input = InputOfFit(middle);
-    fit_input.with_covariance = with_certainty;
+    fit_input.with_covariance = round.with_certainty;
+    if (round.part) fit_input.part = {middle, *round.part};
     const auto fit = FitCameras(fit_input, context_, &landmarks);
     if (!fit) return {};
+    Outcome outcome;
+    outcome.has_moved = true;
+    outcome.num_links = std::ranges::count(control_.links, false, &ControlLink::frozen);
+    if (num_on_curves > 0) outcome.gain = std::max(fit->gain, fit->gain_of_curves);
+    outcome.gain_of_curves = fit->gain_of_curves;
+    if (round.part && !TakePart(*fit, outcome, round.part)) return {};
     has_fitted_ = true;
     for (size_t i = 0; i < of_points.points.size(); ++i) {
       SeenPoint& point = scene_.points[of_points.points[i]];
@@ -139,16 +237,23 @@ class CameraRounds {
     if (!per_px_.empty()) ShiftPulls(input, fit_input, *fit);
     TakePoses(*fit);
     TakeOptics(*fit);
-    Outcome outcome;
-    outcome.num_links = std::ranges::count(control_.links, false, &ControlLink::frozen);
-    if (num_on_curves > 0) outcome.gain = std::max(fit->gain, fit->gain_of_curves);
-    outcome.gain_of_curves = fit->gain_of_curves;
     result_.uncertainty.reset();
     if (fit->covariance) {
       outcome.evidence_of_optics = EvidenceOfOptics(*fit->covariance, fit->parameters);
       MeasureCertainty(*fit->covariance, middle);
     }
     return outcome;
+  }
+
+  // Whether the part that the fit has moved is known, or was found to be off.
+  bool TakePart(const CameraFitResult& fit, const Outcome& outcome, CameraPart* part) {
+    if (!part->empty()) return true;
+    const double gain_in_links = outcome.gain * static_cast<double>(outcome.num_links);
+    if (outcome.gain < kLeastGainOfPart || gain_in_links < kLinksPerUnknownOfPart * kPartUnknowns) {
+      return false;
+    }
+    *part = fit.part;
+    return true;
   }
 
   // Under the cameras of the last round.
@@ -188,6 +293,10 @@ class CameraRounds {
       result_.of_view[v].num_edgels = static_cast<int>(residuals[v].size());
       result_.of_view[v].residual_px = Median(std::move(residuals[v]));
     }
+  }
+
+  Eigen::Vector3d MiddleOfCurves() const {
+    return MedianPoint({control_.position.begin(), control_.position.end()});
   }
 
   static Eigen::Vector3d MiddleOf(const std::vector<Landmark>& landmarks) {

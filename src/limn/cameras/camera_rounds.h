@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "limn/cameras/camera_scene.h"
 #include "limn/cameras/camera_uncertainty.h"
 #include "limn/cameras/row_motion.h"
@@ -20,6 +22,13 @@ struct CameraEvidence {
   double certain_by_px = 0;
 };
 
+// Views whose cameras were off together, as those of one of two models that were merged, and have
+// moved as one; none if `views` is empty.
+struct MovedPart {
+  std::vector<ViewId> views;
+  Eigen::Affine3d motion = Eigen::Affine3d::Identity();  // a similarity
+};
+
 struct CameraRoundsInput {
   // Drawn with the cameras of the scene as they are now.
   const DrawingGraph& graph;
@@ -30,6 +39,12 @@ struct CameraRoundsInput {
   std::vector<double> optics_reaches = {};
   // After the rounds; only of pictures as stored.
   bool measures_rows = false;
+  // Instead of the rounds, moves a part of the cameras that is off, if there is one: lines that its
+  // views draw for themselves would hold each camera alone.
+  bool moves_parts = false;
+  // The part that moved before the drawing was made: views that see more of it from the other side
+  // are exchanged instead.
+  const MovedPart* part_of_drawing = nullptr;
 };
 
 struct CameraRoundsResult {
@@ -38,6 +53,10 @@ struct CameraRoundsResult {
   // (CameraFitResult::gain), or that of curves if it is more.
   double gain = 0;
   size_t num_links = 0;  // on which this fit found edgels
+  // What has moved as one; the rest of the result is then empty.
+  MovedPart part;
+  // After rounds with a drawing that was made since a part moved, what is off as one then.
+  std::vector<ViewId> part_left;
   // Whether the given optics were found to be off; false if that was not asked, or if they had been
   // refined before.
   bool optics_are_off = false;

@@ -48,20 +48,18 @@ UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<Image
         Draw(SeenBy(scene->cameras, input), refiner.Curves(), options, context, on_stage_end);
   };
   refiner.RefineBySmallPictures();
-  const bool had_moved = refiner.HaveMoved();
   UnrefinedScene scene;
   draw(&scene);
-  refiner.RefineByDrawing(scene.drawn.drawing.graph);
-  if (refiner.HaveMoved() && !had_moved) {
-    // What wrong cameras draw is in pieces.
-    UnrefinedScene again;
-    draw(&again);
-    refiner.RefineByDrawing(again.drawn.drawing.graph);
-    if (refiner.HaveMoved()) scene = std::move(again);
-  }
-  if (had_moved && !refiner.HaveMoved()) {
+  std::optional<UnrefinedScene> with_given;
+  while (refiner.RefineByDrawing(scene.drawn.drawing.graph)) {
+    if (!scene.cameras) with_given = std::move(scene);
     scene = {};
     draw(&scene);
+  }
+  if (scene.cameras && !refiner.HaveMoved()) {
+    const bool is_drawn = with_given.has_value();
+    scene = is_drawn ? *std::move(with_given) : UnrefinedScene();
+    if (!is_drawn) draw(&scene);
   }
   TakeCameras(refiner, &scene);
   scene.rows = refiner.Rows();

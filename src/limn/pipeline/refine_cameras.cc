@@ -36,8 +36,12 @@ constexpr double kClearGain = 0.3;
 constexpr double kLostPx = 1.2;
 constexpr double kSettledPx = 0.7;
 constexpr int kMaxDrawings = 6;
+// Of parts that are off, at a level, which is drawn again each time. Then cameras move alone.
+constexpr int kMaxPartMoves = 3;
 // With better cameras more of the images is drawn. If it is less than this share, they are not.
 constexpr double kLeastSeen = 0.97;
+// Once a part has moved as one, less than this: lines that were drawn twice are drawn once.
+constexpr double kLeastSeenWithPart = 0.9;
 // A drawing that shows less than this share of the edgels on image curves may be an accident.
 constexpr double kLeastShown = 0.05;
 
@@ -123,7 +127,7 @@ void CameraRefiner::LookAtSmallPictures() {
   PictureLevel first = Extract(first_factor_);
   const FirstLook look = DrawAndRefine(kReaches, &first);
   if (!look.are_off) return ReturnToGiven();
-  if (look.moved_px > kLostPx) {
+  if (look.moved_px > kLostPx && !look.is_part) {
     ReturnToGiven();
     for (int factor = FactorOf(input_.views, kSmallestSidePx); factor > first_factor_;
          factor /= 2) {
@@ -132,38 +136,54 @@ void CameraRefiner::LookAtSmallPictures() {
   }
   Settle(&first);
   const double seen_px = SeenPx(graph_, scene_.views);
-  const bool shows_as_much = seen_px >= kLeastSeen * look.seen_px;
-  if (!shows_as_much || !IsEnough(seen_px, first, scene_.views)) return ReturnToGiven();
+  if (!ShowsEnough(seen_px, look.seen_px, first)) return ReturnToGiven();
   for (int factor = first_factor_ / 2; factor > 1; factor /= 2) SettleAt(factor);
   RefineAsStored({graph_, kStoredReaches, kOnce});
 }
 
-void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
+bool CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   graph_ = graph;
   const double seen_px = SeenPx(graph, scene_.views);
+  const bool moves_parts = num_part_moves_ < kMaxPartMoves;
   if (have_moved_) {
-    const bool shows_as_much = seen_px >= kLeastSeen * given_px_;
-    if (!shows_as_much || !IsEnough(seen_px, stored_, scene_.views)) return ReturnToGiven();
-    return RefineAsStored({graph, kLastReaches, kTwice, true});
+    if (!ShowsEnough(seen_px, given_px_, stored_)) {
+      ReturnToGiven();
+      return false;
+    }
+    RefineAsStored({graph, kLastReaches, kTwice, true, moves_parts, PartOfDrawing()});
+    return !last_.part.views.empty();
   }
   given_px_ = seen_px;
-  if (!IsEnough(seen_px, stored_, scene_.views)) return;
+  if (!IsEnough(seen_px, stored_, scene_.views)) return false;
   if (options_.refine_cameras == CameraRefinement::kAuto) {
-    const CameraRoundsResult check = Refine({graph, kCheckReaches, kOnce, true}, &stored_);
+    const CameraRoundsResult check = Refine({graph, kCheckReaches, kOnce, true, true}, &stored_);
     ReturnToGiven();
-    if (!AreOff(check) && !check.optics_are_off) return;
+    if (!AreOff(check) && !check.optics_are_off) return false;
     rows_ = {};  // wrong cameras look much like moving ones
   }
-  RefineAsStored({graph, kStoredReaches, kOnce});
+  RefineAsStored({graph, kStoredReaches, kOnce, false, true});
+  return true;
+}
+
+// Compared with the drawing that the given cameras make.
+bool CameraRefiner::ShowsEnough(double seen_px, double given_px, const PictureLevel& level) const {
+  const double least = part_.views.empty() ? kLeastSeen : kLeastSeenWithPart;
+  return seen_px >= least * given_px && IsEnough(seen_px, level, scene_.views);
+}
+
+const MovedPart* CameraRefiner::PartOfDrawing() const {
+  return part_.views.empty() ? nullptr : &part_;
 }
 
 void CameraRefiner::ReturnToGiven() {
   scene_ = MakeCameraScene(input_.views, input_.hints, input_.mounts);
   have_moved_ = false;
+  part_ = {};
 }
 
 void CameraRefiner::RefineAsStored(const CameraRoundsInput& input) {
   last_ = Refine(input, &stored_);
+  if (!last_.part.views.empty()) ++num_part_moves_;
   have_moved_ = true;
   FixGauge();
 }
@@ -213,25 +233,27 @@ CameraRoundsResult CameraRefiner::Refine(const CameraRoundsInput& input, Picture
   CameraRoundsResult rounds =
       RefineCamerasByDrawing(input, options_.refinement, context_, level, &scene_);
   if (input.measures_rows) rows_ = rounds.rows;
+  if (!rounds.part.views.empty()) part_ = rounds.part;
   return rounds;
 }
 
 CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const std::vector<double>& reaches,
-                                                      PictureLevel* level) {
+                                                      PictureLevel* level, bool moves_parts) {
   Draw(level);
   const std::vector<View> before = scene_.views;
   const double seen_px = SeenPx(graph_, before);
-  const CameraRoundsResult rounds = Refine({graph_, reaches}, level);
+  const CameraRoundsResult rounds =
+      Refine({graph_, reaches, {}, false, moves_parts, PartOfDrawing()}, level);
   const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene(), held_);
-  return {AreOff(rounds), gauge.typical_move_px / MeanViewPxPerPicturePx(before, level->factor),
-          seen_px};
+  return {AreOff(rounds), !rounds.part.views.empty(),
+          gauge.typical_move_px / MeanViewPxPerPicturePx(before, level->factor), seen_px};
 }
 
 // By the first of the rounds.
 bool CameraRefiner::AreOff(const CameraRoundsResult& rounds) const {
   const auto num_links = static_cast<double>(rounds.num_links);
   const auto num_unknowns = 6.0 * static_cast<double>(std::ranges::count(input_.mounts.held, 0));
-  return rounds.gain > kClearGain ||
+  return !rounds.part.views.empty() || rounds.gain > kClearGain ||
          (rounds.gain > kGainOfOff && rounds.gain * num_links > kLinksPerUnknown * num_unknowns);
 }
 
@@ -241,9 +263,9 @@ void CameraRefiner::SettleAt(int factor) {
 }
 
 void CameraRefiner::Settle(PictureLevel* level) {
-  double moved_px = DrawAndRefine(kFirstReaches, level).moved_px;
-  for (int i = 1; i < kMaxDrawings && moved_px > kSettledPx; ++i) {
-    moved_px = DrawAndRefine(kReaches, level).moved_px;
+  FirstLook look = DrawAndRefine(kFirstReaches, level);
+  for (int i = 1; i < kMaxDrawings && (look.is_part || look.moved_px > kSettledPx); ++i) {
+    look = DrawAndRefine(kReaches, level, i < kMaxPartMoves);
   }
 }
 
@@ -303,6 +325,8 @@ RefinedCameras CameraRefiner::Cameras() const {
   }
   for (const FarMove& move : gauge_.moved_far) cameras.of_view[move.view].is_misfit = true;
   cameras.uncertainty = last_.uncertainty;
+  cameras.part = part_.views;
+  cameras.part_left = last_.part_left;
   cameras.hints = HintsOf(scene_, input_.hints, cameras.views);
   return cameras;
 }

@@ -55,6 +55,10 @@ struct RefinedCameras {
   double median_move_px = 0;
   // Of the cameras as they are here.
   std::optional<CameraUncertainty> uncertainty;
+  // Views that were off together, as those of one of two models that were merged, and moved as one;
+  // and those that still are. Empty if all moved alone.
+  std::vector<ViewId> part;
+  std::vector<ViewId> part_left;
 };
 
 // Refines the cameras of a scene by the curves that they see (ours; algorithm/cameras.md): first in
@@ -77,7 +81,8 @@ class CameraRefiner {
   // long as nothing has moved, kAuto moves nothing unless the edgels along the drawing say that
   // cameras are off, by the same rule, or contradict their optics. Cameras that have moved since
   // such a drawing return to the given ones if this one shows less, or little of the images.
-  void RefineByDrawing(const DrawingGraph& graph);
+  // Returns whether the drawing has to be made again: what wrong cameras draw is in pieces.
+  bool RefineByDrawing(const DrawingGraph& graph);
 
   bool HaveMoved() const { return have_moved_; }
 
@@ -97,6 +102,7 @@ class CameraRefiner {
  private:
   struct FirstLook {
     bool are_off = false;
+    bool is_part = false;
     double moved_px = 0;  // of the pictures
     double seen_px = 0;   // of the images as stored, that the drawing shows
   };
@@ -106,8 +112,11 @@ class CameraRefiner {
   Image ReadShrunk(ViewId id, int factor);
   void Draw(PictureLevel* level);
   CameraRoundsResult Refine(const CameraRoundsInput& input, PictureLevel* level);
-  FirstLook DrawAndRefine(const std::vector<double>& reaches, PictureLevel* level);
+  FirstLook DrawAndRefine(const std::vector<double>& reaches, PictureLevel* level,
+                          bool moves_parts = true);
   bool AreOff(const CameraRoundsResult& rounds) const;
+  const MovedPart* PartOfDrawing() const;
+  bool ShowsEnough(double seen_px, double given_px, const PictureLevel& level) const;
   void Settle(PictureLevel* level);
   void SettleAt(int factor);
   void RefineAsStored(const CameraRoundsInput& input);
@@ -129,7 +138,9 @@ class CameraRefiner {
   RowMotion rows_;
   Gauge gauge_;
   bool have_moved_ = false;
-  double given_px_ = 0;  // of the images, in the drawing as stored with the given cameras
+  MovedPart part_;          // the last one
+  int num_part_moves_ = 0;  // along drawings of the pictures as stored
+  double given_px_ = 0;     // of the images, in the drawing as stored with the given cameras
 };
 
 }  // namespace limn

@@ -165,5 +165,17 @@ TEST(SayTrust, MuchDoubtIsAWarning) {
   EXPECT_THAT(SaidOf(trust), HasSubstr("WARNING: 53 % of the length found is doubtful"));
 }
 
+TEST(SayTrust, LittleThatIsRightIsAWarning) {
+  Trust trust = TrustIn(0.31, 0.3, 0);
+  trust.tentative = 0.2;
+  EXPECT_THAT(SaidOf(trust), Not(HasSubstr("WARNING")));
+  trust.right = 0.29;
+  EXPECT_THAT(SaidOf(trust),
+              AllOf(HasSubstr("WARNING: only 29 % of the length found is expected to be right"),
+                    HasSubstr("Verdict: doubtful")));
+  trust.tentative = 0.53;  // the same, said before
+  EXPECT_THAT(SaidOf(trust), Not(HasSubstr("WARNING: only")));
+}
+
 }  // namespace
 }  // namespace limn::colmap_ext

@@ -261,6 +261,108 @@ TEST(CameraRounds, TheGainTellsWrongCamerasFromRightOnes) {
   EXPECT_GT(gain(WrongViews()), 0.3);
 }
 
+const Eigen::Affine3d kMotionOfPart =
+    Eigen::Translation3d(0.02, 0, -0.01) *
+    Eigen::AngleAxisd(1.2 * kDeg, Eigen::Vector3d(0.3, 0.5, 1).normalized()) * Eigen::Scaling(1.02);
+
+bool IsInPart(int view) { return view >= 9; }
+
+std::vector<View> ViewsWithPart() {
+  const std::vector<View> moved = Moved(TrueViews(), kMotionOfPart);
+  std::vector<View> views = TrueViews();
+  for (int v = 0; v < kNumPoseViews; ++v) {
+    if (IsInPart(v)) views[v] = moved[v];
+  }
+  return views;
+}
+
+// Every edge twice, as either part of the views sees it.
+DrawingGraph GraphDrawnTwice() {
+  DrawingGraph graph = CubeGraph();
+  DrawingGraph again = CubeGraph();
+  for (DrawingNode& node : again.nodes)
+    node.position_in_world = kMotionOfPart * node.position_in_world;
+  const auto num_nodes = static_cast<int>(graph.nodes.size());
+  std::ranges::move(again.nodes, std::back_inserter(graph.nodes));
+  for (DrawingLink& link : again.links) {
+    for (Eigen::Vector3d& point : link.points_in_world) point = kMotionOfPart * point;
+    link.node0 += num_nodes;
+    link.node1 += num_nodes;
+    graph.links.push_back(std::move(link));
+  }
+  RebuildIncidence(&graph);
+  return graph;
+}
+
+TEST(CameraRounds, APartThatIsOffMovesAsOne) {
+  const DrawingGraph graph = GraphDrawnTwice();
+  CameraScene scene = MakeCameraScene(ViewsWithPart(), kNoHints, LooseMounts(kNumPoseViews));
+  const CameraRoundsResult result = Refine({graph, {2}, {}, false, true}, Curves(), &scene);
+  // Either part may move.
+  const bool is_second = !result.part.views.empty() && IsInPart(result.part.views.front());
+  std::vector<ViewId> expected;
+  for (int v = 0; v < kNumPoseViews; ++v) {
+    if (IsInPart(v) == is_second) expected.push_back(v);
+  }
+  EXPECT_EQ(result.part.views, expected);
+  const double before_px = ErrorsOf(ViewsWithPart()).aligned_px;
+  EXPECT_GT(before_px, 2);
+  EXPECT_LT(ErrorsOf(scene.views).aligned_px, before_px / 10);
+}
+
+TEST(CameraRounds, NoPartOfRightCamerasIsOff) {
+  const DrawingGraph graph = CubeGraph();
+  CameraScene scene = MakeCameraScene(TrueViews(), kNoHints, LooseMounts(kNumPoseViews));
+  EXPECT_TRUE(Refine({graph, {2}, {}, false, true}, Curves(), &scene).part.views.empty());
+  EXPECT_LT(ErrorsOf(scene.views).aligned_px, 0.1);
+}
+
+TEST(CameraRounds, APartIsLookedForAmongViewsThatMayMove) {
+  const DrawingGraph graph = GraphDrawnTwice();
+  const CameraScene given = MakeCameraScene(ViewsWithPart(), kNoHints, LooseMounts(kNumPoseViews));
+  for (const int first_free : {9, 12}) {
+    CameraScene scene = given;
+    for (int v = 0; v < first_free; ++v) scene.mounts.held[v] = 1;
+    const CameraRoundsResult result = Refine({graph, {2}, {}, false, true}, Curves(), &scene);
+    EXPECT_EQ(result.part.views.size(), first_free == 9 ? 7 : 0);  // four are too few
+    for (int v = 0; v < first_free; ++v) {
+      EXPECT_EQ(scene.views[v].cam_from_world.translation,
+                given.views[v].cam_from_world.translation);
+    }
+  }
+}
+
+std::vector<ViewId> PartOfViews() {
+  std::vector<ViewId> views;
+  for (int v = 0; v < kNumPoseViews; ++v) {
+    if (IsInPart(v)) views.push_back(v);
+  }
+  return views;
+}
+
+TEST(CameraRounds, AViewThatWasLeftBehindFollowsItsPart) {
+  constexpr int kLeft = 12;
+  std::vector<View> views = TrueViews();
+  views[kLeft] = ViewsWithPart()[kLeft];
+  MovedPart part = {PartOfViews(), kMotionOfPart.inverse()};
+  std::erase(part.views, kLeft);
+  CameraScene scene = MakeCameraScene(views, kNoHints, LooseMounts(kNumPoseViews));
+  const DrawingGraph graph = CubeGraph();
+  const auto result = Refine({graph, {1}, {}, false, true, &part}, Curves(), &scene);
+  EXPECT_EQ(result.part.views, PartOfViews());
+  EXPECT_LT(ErrorsOf(scene.views).raw_px, 0.01);
+}
+
+TEST(CameraRounds, APartThatIsStillOffIsTold) {
+  const auto left = [](const std::vector<View>& views, const DrawingGraph& graph) {
+    const MovedPart nowhere = {PartOfViews()};
+    CameraScene scene = MakeCameraScene(views, kNoHints, LooseMounts(kNumPoseViews));
+    return Refine({graph, {1}, {}, false, false, &nowhere}, Curves(), &scene).part_left;
+  };
+  EXPECT_FALSE(left(ViewsWithPart(), GraphDrawnTwice()).empty());
+  EXPECT_TRUE(left(TrueViews(), CubeGraph()).empty());
+}
+
 // Errors of cameras in terms of what is said of them, for edgels with other noise each time.
 TEST(CameraRounds, CertaintyIsRight) {
   const DrawingGraph graph = CubeGraph();
