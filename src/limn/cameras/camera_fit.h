@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include "limn/cameras/camera_covariance.h"
-#include "limn/cameras/camera_part.h"
 #include "limn/cameras/camera_problem.h"
 #include "limn/geometry/rigid3.h"
 #include "limn/util/parallel.h"
@@ -36,7 +35,7 @@ struct CameraFitResult {
 // behind them count as far away. Deterministic for any number of threads. Returns nothing, and
 // changes nothing, if there is no solution. Throws Cancelled. Time per step: the squares of the
 // numbers of lines of landmarks, and the cube of the number of bodies. Memory: up to 16 times the
-// normal equations, or 150 MB.
+// normal equations, or 150 MB; with a part, that of FindPart.
 std::optional<CameraFitResult> FitCameras(const CameraFitInput& input, const RunContext& context,
                                           std::vector<Landmark>* landmarks);
 

@@ -37,7 +37,7 @@ BodySteps StepsOfBody(const Rigid3d& pose, const Eigen::Vector3d& middle) {
   return steps;
 }
 
-// What the cost would lose, doubled.
+// What the cost would lose.
 double DecreaseBy(PartMatrix normal, const PartVector& gradient) {
   normal.diagonal() *= 1 + kDamping;
   const Eigen::LLT<PartMatrix> factor(normal);
@@ -79,12 +79,14 @@ class PartSearch {
   // Returns the decrease in the end.
   double Climb(CameraPart* part) {
     Take(*part);
-    while (true) {
-      const double before = DecreaseBy(normal_sum_, gradient_sum_);
-      const auto [body, decrease] = BestExchange(*part);
-      if (decrease <= (1 + kLeastStep) * before) return before;
+    double decrease = DecreaseBy(normal_sum_, gradient_sum_);
+    for (size_t i = 0; i < 2 * NumBodies(); ++i) {
+      const auto [body, next] = BestExchange(*part);
+      if (!(next > (1 + kLeastStep) * decrease)) break;
       Exchange(body, part);
+      decrease = next;
     }
+    return decrease;
   }
 
  private:
@@ -142,6 +144,7 @@ std::vector<CameraPart> Starts(size_t num_bodies, size_t num_held) {
   std::vector<CameraPart> starts;
   for (size_t k = 1; k <= kNumStarts; ++k) {
     const size_t end = k * num_bodies / kNumStarts;
+    if (end == (k - 1) * num_bodies / kNumStarts) continue;
     if (end < kMinInPart || num_held + num_bodies - end < kMinInPart) continue;
     CameraPart& start = starts.emplace_back(num_bodies, 0);
     std::fill_n(start.begin(), end, 1);
@@ -171,7 +174,7 @@ CameraPart FindPart(const CameraEquations& equations, const CameraState& state,
   double most = 0;
   for (CameraPart& part : Starts(search.NumBodies(), search.NumHeld())) {
     const double decrease = search.Climb(&part);
-    if (decrease <= most) continue;
+    if (!(decrease > most)) continue;
     most = decrease;
     best = std::move(part);
   }

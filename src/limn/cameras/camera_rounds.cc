@@ -11,6 +11,7 @@
 
 #include "limn/cameras/camera_fit.h"
 #include "limn/cameras/camera_landmarks.h"
+#include "limn/cameras/camera_part.h"
 #include "limn/cameras/camera_uncertainty.h"
 #include "limn/cameras/gauge.h"
 #include "limn/geometry/median_point.h"
@@ -42,9 +43,11 @@ constexpr double kReachesOfPart[] = {4, 4, 2, 1};
 // many links (algorithm/cameras.md#parts).
 constexpr double kLeastGainOfPart = 0.03;
 constexpr double kLinksPerUnknownOfPart = 1;
-// A view belongs to the other side of a part if it shows so many times as much of the drawing
-// there.
+constexpr double kLinksPerUnknownOfMoved = 0.5;  // if it has moved before: what is left of it
+// A body belongs to the other side of a part if it shows so many times as many edgels of the
+// drawing there, and so many.
 constexpr double kMoreShown = 1.1;
+constexpr int kLeastShown = 30;
 
 class CameraRounds {
  public:
@@ -69,9 +72,11 @@ class CameraRounds {
 
   CameraRoundsResult Run() {
     result_.of_view.resize(scene_.views.size());
-    if (input_.part_of_drawing) ExchangeViews(*input_.part_of_drawing);
-    if (input_.moves_parts && result_.part.views.empty()) MovePart();
-    if (!result_.part.views.empty()) return std::move(result_);
+    if (input_.moves_parts) {
+      if (input_.part_of_drawing) ExchangeBodies(*input_.part_of_drawing);
+      if (!result_.part) MovePart();
+      if (result_.part) return std::move(result_);
+    }
     for (size_t i = 0; i < input_.reaches.size(); ++i) {
       const bool is_last = i + 1 == input_.reaches.size();
       const Outcome outcome = Round({.reach = input_.reaches[i],
@@ -80,10 +85,10 @@ class CameraRounds {
       result_.gain = outcome.gain;
       result_.num_links = outcome.num_links;
     }
+    if (input_.part_of_drawing && level_.factor == 1) LookForPart();
     if (input_.measures_rows && !HaveOtherOptics()) MeasureRows(input_.reaches.back());
     if (!input_.optics_reaches.empty()) RefineOptics();
     if (input_.measures_rows && HaveOtherOptics()) MeasureRows(input_.optics_reaches.back());
-    if (input_.part_of_drawing) LookForPart();
     return std::move(result_);
   }
 
@@ -139,15 +144,19 @@ class CameraRounds {
     CameraPart part;
     const std::vector<View> before = scene_.views;
     for (const double reach : kReachesOfPart) {
-      if (!Round({.reach = reach, .part = &part}).has_moved) return;
+      if (!Round({.reach = reach, .part = &part}).has_moved) break;
     }
-    result_.part.views = ViewsOf(part);
+    if (part.empty()) return;
+    MovedPart& moved = result_.part.emplace();
+    moved.views = ViewsOf(part);
     std::vector<View> part_before, part_now;
-    for (const ViewId v : result_.part.views) {
+    for (const ViewId v : moved.views) {
       part_before.push_back(before[v]);
       part_now.push_back(scene_.views[v]);
     }
-    result_.part.motion = FindGauge(part_now, part_before, MiddleOfCurves()).given_from_refined;
+    const Eigen::Vector3d middle =
+        MedianPoint({control_.position.begin(), control_.position.end()});
+    moved.motion = FindGauge(part_now, part_before, middle).given_from_refined;
   }
 
   // That which is off in spite of all; moves nothing.
@@ -170,33 +179,46 @@ class CameraRounds {
   }
 
   // What was farther off than the gate did not count when the part was found.
-  void ExchangeViews(const MovedPart& part) {
-    const size_t num_views = scene_.views.size();
-    std::vector<uint8_t> is_in_part(num_views, 0);
-    for (const ViewId v : part.views) is_in_part[v] = 1;
-    const std::vector<View> there = Moved(scene_.views, part.motion);
-    const std::vector<View> back = Moved(scene_.views, part.motion.inverse());
-    std::vector<View> exchanged = scene_.views;
-    for (size_t v = 0; v < num_views; ++v) exchanged[v] = is_in_part[v] ? back[v] : there[v];
+  void ExchangeBodies(const MovedPart& moved) {
+    CameraPart part(scene_.mounts.NumBodies(), 0);
+    for (const ViewId v : moved.views) part[BodyOf(v)] = 1;
+    const std::vector<View> there = OnOtherSide(part, moved.motion);
     const std::vector<int> shown = EdgelsPerBody(scene_.views);
-    const std::vector<int> shown_then = EdgelsPerBody(exchanged);
-    std::vector<ViewId> now_in_part;
-    bool has_exchanged = false;
-    for (size_t v = 0; v < num_views; ++v) {
-      const int body = BodyOf(v);
-      const bool changes = !scene_.mounts.held[body] && shown_then[body] > kMoreShown * shown[body];
-      if (changes) scene_.views[v].cam_from_world = exchanged[v].cam_from_world;
-      has_exchanged |= changes;
-      if (is_in_part[v] != (changes ? 1 : 0)) now_in_part.push_back(static_cast<ViewId>(v));
+    const std::vector<int> shown_there = EdgelsPerBody(there);
+    std::vector<uint8_t> changes(part.size(), 0);
+    for (size_t body = 0; body < part.size(); ++body) {
+      changes[body] = !scene_.mounts.held[body] && shown_there[body] >= kLeastShown &&
+                      shown_there[body] > kMoreShown * shown[body];
+      part[body] ^= changes[body];
+    }
+    for (size_t v = 0; v < scene_.views.size(); ++v) {
+      if (changes[BodyOf(v)]) scene_.views[v].cam_from_world = there[v].cam_from_world;
     }
     small_views_ = ShrunkViews(scene_.views, level_.factor);
-    if (has_exchanged) result_.part = {std::move(now_in_part), part.motion};
+    if (std::ranges::count(changes, 1) > 0) result_.part = {ViewsOf(part), moved.motion};
   }
 
-  // Matched along the drawing as these views, which have other poses, see it.
+  // All bodies, those of the part back where they were, the others moved as it was.
+  std::vector<View> OnOtherSide(const CameraPart& part, const Eigen::Affine3d& motion) const {
+    std::vector<View> views = Moved(scene_.views, motion);
+    const std::vector<View> back = Moved(scene_.views, motion.inverse());
+    for (size_t v = 0; v < views.size(); ++v) {
+      if (part[BodyOf(v)]) views[v].cam_from_world = back[v].cam_from_world;
+    }
+    const std::vector<Rigid3d> bodies = BodyPoses(views, scene_.mounts);
+    for (size_t v = 0; v < views.size(); ++v) {  // rigs keep their size
+      views[v].cam_from_world = scene_.mounts.of_view[v].view_from_body * bodies[BodyOf(v)];
+    }
+    return views;
+  }
+
+  // Matched along the drawing as these views, which have other poses, see it. Each by itself: few
+  // of them may be on the right side.
   std::vector<int> EdgelsPerBody(const std::vector<View>& views) {
     small_views_ = ShrunkViews(views, level_.factor);
-    Match(1, &control_);
+    RefinementOptions options = options_;
+    options.min_views = 1;
+    Match(1, options, &control_);
     std::vector<int> counts(scene_.mounts.NumBodies(), 0);
     ForPulls([&](EdgelPull* pull) { ++counts[BodyOf(pull->ref.view)]; });
     return counts;
@@ -249,7 +271,8 @@ class CameraRounds {
   bool TakePart(const CameraFitResult& fit, const Outcome& outcome, CameraPart* part) {
     if (!part->empty()) return true;
     const double gain_in_links = outcome.gain * static_cast<double>(outcome.num_links);
-    if (outcome.gain < kLeastGainOfPart || gain_in_links < kLinksPerUnknownOfPart * kPartUnknowns) {
+    const double least = input_.part_of_drawing ? kLinksPerUnknownOfMoved : kLinksPerUnknownOfPart;
+    if (outcome.gain < kLeastGainOfPart || gain_in_links < least * kPartUnknowns) {
       return false;
     }
     *part = fit.part;
@@ -263,13 +286,15 @@ class CameraRounds {
     SeeCurves();
   }
 
-  void Match(double reach, ControlGraph* control) {
+  void Match(double reach, ControlGraph* control) { Match(reach, options_, control); }
+
+  void Match(double reach, const RefinementOptions& options, ControlGraph* control) {
     const TopologyInput images = {
         small_views_,
         *curves_,
         edgels_,
-        {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * kDeg}};
-    MatchEdgels(images, options_, context_, control);
+        {reach * options.max_distance_px, 1.0, options.max_angle_deg * kDeg}};
+    MatchEdgels(images, options, context_, control);
     FreezeUnshown(control);
   }
 
@@ -293,10 +318,6 @@ class CameraRounds {
       result_.of_view[v].num_edgels = static_cast<int>(residuals[v].size());
       result_.of_view[v].residual_px = Median(std::move(residuals[v]));
     }
-  }
-
-  Eigen::Vector3d MiddleOfCurves() const {
-    return MedianPoint({control_.position.begin(), control_.position.end()});
   }
 
   static Eigen::Vector3d MiddleOf(const std::vector<Landmark>& landmarks) {
@@ -414,8 +435,12 @@ CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
   DrawingGraph edges = Scaled(input.graph, 1 / unit);
   RemoveLinks(AreEdges(edges), &edges);
   CameraScene scaled = Scaled(std::move(*scene), 1 / unit);
-  CameraRoundsResult result = CameraRounds(input, edges, options, context, level, &scaled).Run();
+  CameraRoundsInput scaled_input = input;
+  if (auto& part = scaled_input.part_of_drawing) part->motion.translation() /= unit;
+  CameraRoundsResult result =
+      CameraRounds(scaled_input, edges, options, context, level, &scaled).Run();
   *scene = Scaled(std::move(scaled), unit);
+  if (result.part) result.part->motion.translation() *= unit;
   if (result.uncertainty) {
     result.uncertainty->shift_unit = unit;
     result.uncertainty->mounts = scene->mounts;

@@ -23,10 +23,10 @@ struct CameraEvidence {
 };
 
 // Views whose cameras were off together, as those of one of two models that were merged, and have
-// moved as one; none if `views` is empty.
+// moved as one.
 struct MovedPart {
   std::vector<ViewId> views;
-  Eigen::Affine3d motion = Eigen::Affine3d::Identity();  // a similarity
+  Eigen::Affine3d motion = Eigen::Affine3d::Identity();  // a similarity of the world
 };
 
 struct CameraRoundsInput {
@@ -42,9 +42,9 @@ struct CameraRoundsInput {
   // Instead of the rounds, moves a part of the cameras that is off, if there is one: lines that its
   // views draw for themselves would hold each camera alone.
   bool moves_parts = false;
-  // The part that moved before the drawing was made: views that see more of it from the other side
-  // are exchanged instead.
-  const MovedPart* part_of_drawing = nullptr;
+  // The part that moved before the drawing was made: bodies that show more of it from the other
+  // side are exchanged instead.
+  std::optional<MovedPart> part_of_drawing = {};
 };
 
 struct CameraRoundsResult {
@@ -53,9 +53,9 @@ struct CameraRoundsResult {
   // (CameraFitResult::gain), or that of curves if it is more.
   double gain = 0;
   size_t num_links = 0;  // on which this fit found edgels
-  // What has moved as one; the rest of the result is then empty.
-  MovedPart part;
-  // After rounds with a drawing that was made since a part moved, what is off as one then.
+  // What has moved as one, instead of the rounds.
+  std::optional<MovedPart> part;
+  // After rounds with pictures as stored that were drawn since a part moved, what is off as one.
   std::vector<ViewId> part_left;
   // Whether the given optics were found to be off; false if that was not asked, or if they had been
   // refined before.

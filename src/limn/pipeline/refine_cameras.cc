@@ -144,46 +144,61 @@ void CameraRefiner::LookAtSmallPictures() {
 bool CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   graph_ = graph;
   const double seen_px = SeenPx(graph, scene_.views);
-  const bool moves_parts = num_part_moves_ < kMaxPartMoves;
+  if (given_px_ == 0) given_px_ = seen_px;
   if (have_moved_) {
     if (!ShowsEnough(seen_px, given_px_, stored_)) {
       ReturnToGiven();
       return false;
     }
-    RefineAsStored({graph, kLastReaches, kTwice, true, moves_parts, PartOfDrawing()});
-    return !last_.part.views.empty();
+    RefineAsStored({.graph = graph,
+                    .reaches = last_.part ? kStoredReaches : kLastReaches,
+                    .optics_reaches = kTwice,
+                    .measures_rows = true,
+                    .moves_parts = num_part_moves_ < kMaxPartMoves,
+                    .part_of_drawing = part_});
+    return last_.part.has_value();
   }
-  given_px_ = seen_px;
   if (!IsEnough(seen_px, stored_, scene_.views)) return false;
   if (options_.refine_cameras == CameraRefinement::kAuto) {
-    const CameraRoundsResult check = Refine({graph, kCheckReaches, kOnce, true, true}, &stored_);
-    ReturnToGiven();
+    CameraRoundsResult check = Refine({.graph = graph,
+                                       .reaches = kCheckReaches,
+                                       .optics_reaches = kOnce,
+                                       .measures_rows = true,
+                                       .moves_parts = true},
+                                      &stored_);
+    if (!check.part) ReturnToGiven();
     if (!AreOff(check) && !check.optics_are_off) return false;
     rows_ = {};  // wrong cameras look much like moving ones
+    if (check.part) {
+      TakeResult(std::move(check));
+      return true;
+    }
   }
-  RefineAsStored({graph, kStoredReaches, kOnce, false, true});
+  RefineAsStored(
+      {.graph = graph, .reaches = kStoredReaches, .optics_reaches = kOnce, .moves_parts = true});
   return true;
 }
 
 // Compared with the drawing that the given cameras make.
 bool CameraRefiner::ShowsEnough(double seen_px, double given_px, const PictureLevel& level) const {
-  const double least = part_.views.empty() ? kLeastSeen : kLeastSeenWithPart;
+  const double least = part_ ? kLeastSeenWithPart : kLeastSeen;
   return seen_px >= least * given_px && IsEnough(seen_px, level, scene_.views);
-}
-
-const MovedPart* CameraRefiner::PartOfDrawing() const {
-  return part_.views.empty() ? nullptr : &part_;
 }
 
 void CameraRefiner::ReturnToGiven() {
   scene_ = MakeCameraScene(input_.views, input_.hints, input_.mounts);
   have_moved_ = false;
-  part_ = {};
+  part_.reset();
+  first_part_.clear();
 }
 
 void CameraRefiner::RefineAsStored(const CameraRoundsInput& input) {
-  last_ = Refine(input, &stored_);
-  if (!last_.part.views.empty()) ++num_part_moves_;
+  TakeResult(Refine(input, &stored_));
+}
+
+void CameraRefiner::TakeResult(CameraRoundsResult result) {
+  last_ = std::move(result);
+  if (last_.part) ++num_part_moves_;
   have_moved_ = true;
   FixGauge();
 }
@@ -233,7 +248,9 @@ CameraRoundsResult CameraRefiner::Refine(const CameraRoundsInput& input, Picture
   CameraRoundsResult rounds =
       RefineCamerasByDrawing(input, options_.refinement, context_, level, &scene_);
   if (input.measures_rows) rows_ = rounds.rows;
-  if (!rounds.part.views.empty()) part_ = rounds.part;
+  if (!rounds.part) return rounds;
+  if (!part_) first_part_ = rounds.part->views;
+  part_ = rounds.part;
   return rounds;
 }
 
@@ -242,10 +259,11 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const std::vector<double>&
   Draw(level);
   const std::vector<View> before = scene_.views;
   const double seen_px = SeenPx(graph_, before);
-  const CameraRoundsResult rounds =
-      Refine({graph_, reaches, {}, false, moves_parts, PartOfDrawing()}, level);
+  const CameraRoundsResult rounds = Refine(
+      {.graph = graph_, .reaches = reaches, .moves_parts = moves_parts, .part_of_drawing = part_},
+      level);
   const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene(), held_);
-  return {AreOff(rounds), !rounds.part.views.empty(),
+  return {AreOff(rounds), rounds.part.has_value(),
           gauge.typical_move_px / MeanViewPxPerPicturePx(before, level->factor), seen_px};
 }
 
@@ -253,7 +271,7 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const std::vector<double>&
 bool CameraRefiner::AreOff(const CameraRoundsResult& rounds) const {
   const auto num_links = static_cast<double>(rounds.num_links);
   const auto num_unknowns = 6.0 * static_cast<double>(std::ranges::count(input_.mounts.held, 0));
-  return !rounds.part.views.empty() || rounds.gain > kClearGain ||
+  return rounds.part.has_value() || rounds.gain > kClearGain ||
          (rounds.gain > kGainOfOff && rounds.gain * num_links > kLinksPerUnknown * num_unknowns);
 }
 
@@ -265,7 +283,7 @@ void CameraRefiner::SettleAt(int factor) {
 void CameraRefiner::Settle(PictureLevel* level) {
   FirstLook look = DrawAndRefine(kFirstReaches, level);
   for (int i = 1; i < kMaxDrawings && (look.is_part || look.moved_px > kSettledPx); ++i) {
-    look = DrawAndRefine(kReaches, level, i < kMaxPartMoves);
+    look = DrawAndRefine(look.is_part ? kFirstReaches : kReaches, level, i < kMaxPartMoves);
   }
 }
 
@@ -301,6 +319,8 @@ void CameraRefiner::FixGauge() {
     by_rays[v] = WithRaysInOpticsOf(input_.views[v], std::move(by_rays[v]));
   }
   gauge_ = FindGauge(input_.views, by_rays, MiddleOfScene(), held_);
+  const Eigen::Affine3d& to_given = gauge_.given_from_refined;
+  if (part_) part_->motion = to_given * part_->motion * to_given.inverse();
   const double scale = std::cbrt(gauge_.given_from_refined.linear().determinant());
   for (CameraMount& mount : scene_.mounts.of_view) mount.view_from_body.translation *= scale;
   if (last_.uncertainty) {
@@ -313,6 +333,16 @@ void CameraRefiner::FixGauge() {
   }
 }
 
+// Where nothing is held, moving a part is moving the others: the smaller ones are told.
+std::vector<ViewId> CameraRefiner::ToldPart() const {
+  if (!held_.empty() || 2 * first_part_.size() <= input_.views.size()) return first_part_;
+  std::vector<ViewId> others;
+  for (ViewId v = 0; v < std::ssize(input_.views); ++v) {
+    if (std::ranges::count(first_part_, v) == 0) others.push_back(v);
+  }
+  return others;
+}
+
 RefinedCameras CameraRefiner::Cameras() const {
   RefinedCameras cameras;
   cameras.median_move_px = gauge_.typical_move_px;
@@ -323,9 +353,12 @@ RefinedCameras CameraRefiner::Cameras() const {
     cameras.of_view.push_back({gauge_.moves_px[v], evidence.num_edgels, evidence.residual_px,
                                evidence.certain_by_px, skew.px, skew.sigma_px});
   }
-  for (const FarMove& move : gauge_.moved_far) cameras.of_view[move.view].is_misfit = true;
+  cameras.part = ToldPart();
+  for (const FarMove& move : gauge_.moved_far) {
+    const bool is_in_part = std::ranges::count(cameras.part, move.view) > 0;
+    if (!is_in_part) cameras.of_view[move.view].is_misfit = true;
+  }
   cameras.uncertainty = last_.uncertainty;
-  cameras.part = part_.views;
   cameras.part_left = last_.part_left;
   cameras.hints = HintsOf(scene_, input_.hints, cameras.views);
   return cameras;

@@ -102,9 +102,9 @@ class CameraRefiner {
  private:
   struct FirstLook {
     bool are_off = false;
-    bool is_part = false;
-    double moved_px = 0;  // of the pictures
-    double seen_px = 0;   // of the images as stored, that the drawing shows
+    bool is_part = false;  // has moved, and nothing else
+    double moved_px = 0;   // of the pictures
+    double seen_px = 0;    // of the images as stored, that the drawing shows
   };
 
   void LookAtSmallPictures();
@@ -112,10 +112,11 @@ class CameraRefiner {
   Image ReadShrunk(ViewId id, int factor);
   void Draw(PictureLevel* level);
   CameraRoundsResult Refine(const CameraRoundsInput& input, PictureLevel* level);
+  void TakeResult(CameraRoundsResult result);
+  std::vector<ViewId> ToldPart() const;
   FirstLook DrawAndRefine(const std::vector<double>& reaches, PictureLevel* level,
                           bool moves_parts = true);
   bool AreOff(const CameraRoundsResult& rounds) const;
-  const MovedPart* PartOfDrawing() const;
   bool ShowsEnough(double seen_px, double given_px, const PictureLevel& level) const;
   void Settle(PictureLevel* level);
   void SettleAt(int factor);
@@ -138,9 +139,10 @@ class CameraRefiner {
   RowMotion rows_;
   Gauge gauge_;
   bool have_moved_ = false;
-  MovedPart part_;          // the last one
-  int num_part_moves_ = 0;  // along drawings of the pictures as stored
-  double given_px_ = 0;     // of the images, in the drawing as stored with the given cameras
+  std::optional<MovedPart> part_;   // the last one
+  std::vector<ViewId> first_part_;  // views of the first one
+  int num_part_moves_ = 0;          // along drawings of the pictures as stored
+  double given_px_ = 0;             // of the images, in the first drawing as stored
 };
 
 }  // namespace limn
