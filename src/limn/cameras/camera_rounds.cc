@@ -43,6 +43,7 @@ constexpr double kReachesOfPart[] = {4, 4, 2, 1};
 // many links (algorithm/cameras.md#parts).
 constexpr double kLeastGainOfPart = 0.03;
 constexpr double kLinksPerUnknownOfPart = 1;
+constexpr double kLeastOfAlone = 0.4;
 constexpr double kLinksPerUnknownOfMoved = 0.5;  // if it has moved before: what is left of it
 // A body belongs to the other side of a part if it shows so many times as many edgels of the
 // drawing there, and so many.
@@ -249,7 +250,10 @@ class CameraRounds {
     outcome.num_links = std::ranges::count(control_.links, false, &ControlLink::frozen);
     if (num_on_curves > 0) outcome.gain = std::max(fit->gain, fit->gain_of_curves);
     outcome.gain_of_curves = fit->gain_of_curves;
-    if (round.part && !TakePart(*fit, outcome, round.part)) return {};
+    if (round.part && round.part->empty()) {
+      if (!IsOff(outcome, InputOfFit(middle), landmarks)) return {};
+      *round.part = fit->part;
+    }
     has_fitted_ = true;
     for (size_t i = 0; i < of_points.points.size(); ++i) {
       SeenPoint& point = scene_.points[of_points.points[i]];
@@ -267,16 +271,14 @@ class CameraRounds {
     return outcome;
   }
 
-  // Whether the part that the fit has moved is known, or was found to be off.
-  bool TakePart(const CameraFitResult& fit, const Outcome& outcome, CameraPart* part) {
-    if (!part->empty()) return true;
-    const double gain_in_links = outcome.gain * static_cast<double>(outcome.num_links);
+  // Whether a part is, by what its motion gains.
+  bool IsOff(const Outcome& of_part, const CameraFitInput& all, std::vector<Landmark> landmarks) {
+    const double gain_in_links = of_part.gain * static_cast<double>(of_part.num_links);
     const double least = input_.part_of_drawing ? kLinksPerUnknownOfMoved : kLinksPerUnknownOfPart;
-    if (outcome.gain < kLeastGainOfPart || gain_in_links < least * kPartUnknowns) {
-      return false;
-    }
-    *part = fit.part;
-    return true;
+    if (of_part.gain < kLeastGainOfPart || gain_in_links < least * kPartUnknowns) return false;
+    if (input_.part_of_drawing) return true;
+    const auto alone = FitCameras(all, context_, &landmarks);
+    return !alone || of_part.gain > kLeastOfAlone * std::max(alone->gain, alone->gain_of_curves);
   }
 
   // Under the cameras of the last round.
