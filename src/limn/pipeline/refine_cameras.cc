@@ -38,6 +38,8 @@ constexpr double kSettledPx = 0.7;
 constexpr int kMaxDrawings = 6;
 // Of parts that are off, at a level, which is drawn again each time. Then cameras move alone.
 constexpr int kMaxPartMoves = 3;
+// Cameras of a part move alike: this much of the farthest move, at least.
+constexpr double kLeastOfPartMove = 0.2;
 // With better cameras more of the images is drawn. If it is less than this share, they are not.
 constexpr double kLeastSeen = 0.97;
 // Once a part has moved as one, less than this: lines that were drawn twice are drawn once.
@@ -333,14 +335,21 @@ void CameraRefiner::FixGauge() {
   }
 }
 
-// Where nothing is held, moving a part is moving the others: the smaller ones are told.
+// Where nothing is held, moving a part is moving the others: the smaller side is told. A camera
+// that is off alone may have taken others along, which have come back.
 std::vector<ViewId> CameraRefiner::ToldPart() const {
-  if (!held_.empty() || 2 * first_part_.size() <= input_.views.size()) return first_part_;
-  std::vector<ViewId> others;
-  for (ViewId v = 0; v < std::ssize(input_.views); ++v) {
-    if (std::ranges::count(first_part_, v) == 0) others.push_back(v);
+  std::vector<uint8_t> is_in_part(input_.views.size(), 0);
+  for (const ViewId v : first_part_) is_in_part[v] = 1;
+  const bool is_smaller = !held_.empty() || 2 * first_part_.size() <= is_in_part.size();
+  std::vector<ViewId> part;
+  double most_px = 0;
+  for (ViewId v = 0; v < std::ssize(is_in_part); ++v) {
+    if (first_part_.empty() || is_in_part[v] != (is_smaller ? 1 : 0)) continue;
+    part.push_back(v);
+    most_px = std::max(most_px, gauge_.moves_px[v]);
   }
-  return others;
+  std::erase_if(part, [&](ViewId v) { return gauge_.moves_px[v] < kLeastOfPartMove * most_px; });
+  return part.size() > 1 ? part : std::vector<ViewId>();
 }
 
 RefinedCameras CameraRefiner::Cameras() const {
