@@ -68,7 +68,7 @@ class PartSearch {
         Eigen::Matrix<double, 6, 6> block = system.normal.block<6, 6>(at[i], at[j]);
         if (i == j) block = Eigen::Matrix<double, 6, 6>(block.selfadjointView<Eigen::Upper>());
         normal_[i][j] = steps[i].transpose() * block * steps[j];
-        normal_[j][i] = normal_[i][j].transpose();
+        if (i != j) normal_[j][i] = normal_[i][j].transpose();
       }
     }
   }
