@@ -63,23 +63,26 @@ std::string ChangesAsCsv(const RefinedCameras& cameras) {
   return csv;
 }
 
-std::string NamesOfPart(const std::vector<ViewId>& part, const std::vector<View>& views) {
+// "2 of 9 images <are off>: a.jpg, b.jpg. "
+std::string ImagesOfPart(const std::vector<ViewId>& part, const std::vector<View>& views,
+                         const std::string& what) {
   std::vector<std::string> names;
   for (const ViewId v : part) names.push_back(views[v].name);
-  return "the cameras of " + std::to_string(part.size()) + " of " + std::to_string(views.size()) +
-         " images, " + ListNames(names) + ",";
+  return std::to_string(part.size()) + " of " + std::to_string(views.size()) + " images " + what +
+         ": " + ListNames(names) + ". ";
 }
 
 void SayParts(const RefinedCameras& cameras, Console* console) {
   if (!cameras.part.empty()) {
-    console->Say(
-        "As one, " + NamesOfPart(cameras.part, cameras.views) +
-        " were off and have moved: a model that was merged, or a loop that was not closed?");
+    console->Say("The cameras of " +
+                 ImagesOfPart(cameras.part, cameras.views, "were off together and moved as one") +
+                 "Usual causes: models that were merged wrongly, a loop that was not closed");
   }
   if (!cameras.part_left.empty()) {
-    console->Say("WARNING: as one, " + NamesOfPart(cameras.part_left, cameras.views) +
-                 " are off still: lines may be drawn twice. Make the model anew, or draw the parts "
-                 "one by one (--image_list_path)");
+    console->Say("WARNING: the cameras of " +
+                 ImagesOfPart(cameras.part_left, cameras.views, "are still off together") +
+                 "Lines may be drawn twice. Make the model anew, or draw the groups one by one "
+                 "(--image_list_path)");
   }
 }
 

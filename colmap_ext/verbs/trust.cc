@@ -186,7 +186,7 @@ void SayAgreement(const Trust& trust, bool has_box, Console* console) {
                ". Their poses are wrong, or they show other things");
 }
 
-// Why, and what to look at.
+// Says why, and what to look at.
 void WarnNotToTrust(const Trust& trust, bool has_box, Console* console) {
   const std::string finding = ExplainsNothing(trust, has_box)
                                   ? "the drawing explains next to nothing of the images"

@@ -338,17 +338,19 @@ void CameraRefiner::FixGauge() {
 // Where nothing is held, moving a part is moving the others: the smaller side is told. A camera
 // that is off alone may have taken others along, which have come back.
 std::vector<ViewId> CameraRefiner::ToldPart() const {
-  std::vector<uint8_t> is_in_part(input_.views.size(), 0);
-  for (const ViewId v : first_part_) is_in_part[v] = 1;
-  const bool is_smaller = !held_.empty() || 2 * first_part_.size() <= is_in_part.size();
-  std::vector<ViewId> part;
+  if (first_part_.empty()) return {};
+  const bool tells_others = held_.empty() && 2 * first_part_.size() > input_.views.size();
+  std::vector<uint8_t> is_told(input_.views.size(), tells_others ? 1 : 0);
+  for (const ViewId v : first_part_) is_told[v] = tells_others ? 0 : 1;
   double most_px = 0;
-  for (ViewId v = 0; v < std::ssize(is_in_part); ++v) {
-    if (first_part_.empty() || is_in_part[v] != (is_smaller ? 1 : 0)) continue;
-    part.push_back(v);
-    most_px = std::max(most_px, gauge_.moves_px[v]);
+  for (size_t v = 0; v < is_told.size(); ++v) {
+    if (is_told[v]) most_px = std::max(most_px, gauge_.moves_px[v]);
   }
-  std::erase_if(part, [&](ViewId v) { return gauge_.moves_px[v] < kLeastOfPartMove * most_px; });
+  std::vector<ViewId> part;
+  for (size_t v = 0; v < is_told.size(); ++v) {
+    const bool moved_along = gauge_.moves_px[v] >= kLeastOfPartMove * most_px;
+    if (is_told[v] && moved_along) part.push_back(static_cast<ViewId>(v));
+  }
   return part.size() > 1 ? part : std::vector<ViewId>();
 }
 
