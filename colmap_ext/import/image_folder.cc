@@ -1,29 +1,21 @@
 #include "colmap_ext/import/image_folder.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "colmap_ext/workspace/shallow_search.h"
+#include "colmap_ext/workspace/folder_search.h"
+#include "colmap_ext/workspace/picture_names.h"
 #include "limn/util/errors.h"
-#include "limn/util/lower_case.h"
 
 namespace limn::colmap_ext {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kImageExtensions = {".png", ".jpg", ".jpeg", ".tif",  ".tiff",
-                                         ".bmp", ".ppm", ".pgm",  ".webp", ".jp2"};
-
 // Behind the key of an image by its name without extension; in no file name.
 constexpr char kAnyExtension[] = "/";
 
-bool IsImage(const fs::path& path) {
-  const std::string extension = LowerCase(path.extension().string());
-  return std::find(kImageExtensions.begin(), kImageExtensions.end(), extension) !=
-         kImageExtensions.end();
-}
+bool IsImage(const std::string& name) { return WithoutPictureExtension(name).has_value(); }
 
 bool IsFile(const fs::path& path) {
   std::error_code ignored;
@@ -65,7 +57,7 @@ std::optional<std::string> ImageFolder::FindByFileName(const fs::path& name,
   const std::string file_name = name.filename().string();
   if (!is_indexed_) {
     is_indexed_ = true;
-    for (const fs::path& file : SearchShallow(path_, 3).files) {
+    for (const fs::path& file : SearchFolder(path_, 3).files) {
       if (!IsImage(file)) continue;
       const fs::path relative = file.lexically_relative(path_);
       Index& index = relative.has_parent_path() ? below_ : direct_;

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "colmap_ext/workspace/shallow_search.h"
+#include "colmap_ext/workspace/folder_search.h"
 #include "limn/util/lower_case.h"
 #include "limn/util/name_list.h"
 
@@ -146,14 +146,14 @@ bool HoldsCameraFile(const fs::path& path, const std::string& input_type) {
   };
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) return is_one(path);
-  const ShallowSearch found = SearchShallow(path, 0);
+  const FolderSearch found = SearchFolder(path, 0);
   return std::ranges::any_of(found.files, is_one);
 }
 
 std::vector<CameraFile> FindCameraFiles(const fs::path& folder) {
   std::vector<CameraFile> found;
   int num_heads = 0;
-  for (const fs::path& file : SearchShallow(folder, 3).files) {
+  for (const fs::path& file : SearchFolder(folder, 3).files) {
     if (!MayHoldCameras(file)) continue;
     if (++num_heads > kMaxHeads) break;
     if (auto camera_file = RecognizeCameraFile(file)) found.push_back(std::move(*camera_file));

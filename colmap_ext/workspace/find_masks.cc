@@ -12,9 +12,10 @@
 #include <unordered_map>
 
 #include "colmap_ext/workspace/file_set.h"
-#include "colmap_ext/workspace/image_files.h"
+#include "colmap_ext/workspace/folder_search.h"
 #include "colmap_ext/workspace/image_header.h"
 #include "colmap_ext/workspace/name_encoding.h"
+#include "colmap_ext/workspace/picture_names.h"
 #include "limn/files/text_file.h"
 #include "limn/util/errors.h"
 #include "limn/util/lower_case.h"
@@ -24,24 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 12> kPictureEnds = {".png",  ".jpg", ".jpeg", ".tif",
-                                                           ".tiff", ".bmp", ".webp", ".jp2",
-                                                           ".pgm",  ".ppm", ".pbm",  ".pnm"};
-
 bool IsRegularFile(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
-}
-
-// Without the extension of a picture; nothing if it has none.
-std::optional<std::string> WithoutPictureEnd(const std::string& name) {
-  const std::string lower = LowerCase(name);
-  for (const std::string_view end : kPictureEnds) {
-    if (lower.ends_with(end) && lower.size() > end.size()) {
-      return name.substr(0, name.size() - end.size());
-    }
-  }
-  return std::nullopt;
 }
 
 // Without the word "mask" at either end and what joins it to the rest; nothing if it is not there.
@@ -65,7 +51,7 @@ std::optional<std::string> WithoutMaskWord(const std::string& name) {
 // Names that the image of a mask may have, by how sure they are: the name before the extension of
 // the mask; the same without the word "mask".
 std::vector<std::string> ImagesOfMask(const std::string& file_name) {
-  const auto name = WithoutPictureEnd(file_name);
+  const auto name = WithoutPictureExtension(file_name);
   if (!name) return {};
   std::vector<std::string> images = {*name};
   if (auto without_word = WithoutMaskWord(*name)) images.push_back(std::move(*without_word));
@@ -107,7 +93,7 @@ class MaskIndex {
       const std::vector<std::string> images = ImagesOfMask(name);
       for (size_t rank = 0; rank < images.size(); ++rank) {
         Add(folder, images[rank], 2 * rank, static_cast<int>(i));
-        if (const auto stem = WithoutPictureEnd(images[rank])) {
+        if (const auto stem = WithoutPictureExtension(images[rank])) {
           Add(folder, *stem, 2 * rank + 1, static_cast<int>(i));
         }
       }
@@ -119,7 +105,8 @@ class MaskIndex {
     for (size_t rank = 0; rank < kNumRanks; ++rank) {
       std::set<int> found;
       for (const SplitPath& text : image.texts) {
-        for (const std::string& name : {text.name, WithoutPictureEnd(text.name).value_or("")}) {
+        for (const std::string& name :
+             {text.name, WithoutPictureExtension(text.name).value_or("")}) {
           const Names& names = anywhere ? anywhere_[rank] : here_[rank];
           const auto masks = names.find(anywhere ? name : text.folder + '/' + name);
           if (!name.empty() && masks != names.end()) {
@@ -209,7 +196,7 @@ class FolderMasks {
     files_ = FilesBelow(folder_);
     std::erase_if(files_, [&](const std::string& file) {
       const std::string path = (folder_ / file).string();
-      return !WithoutPictureEnd(file) || taken.Contains(path) || photographs_.Contains(path);
+      return !WithoutPictureExtension(file) || taken.Contains(path) || photographs_.Contains(path);
     });
     const MaskIndex index(files_);
     Assign(index, false);
@@ -345,7 +332,7 @@ std::string MasksBeside(const fs::path& image_dir) {
   for (const char* name : {"masks", "mask", "image_masks", "images_masks", "images_mask"}) {
     for (fs::directory_iterator it(parent / name, error), end; !error && it != end;
          it.increment(error)) {
-      if (WithoutPictureEnd(it->path().filename().string()) || it->is_directory(error)) {
+      if (WithoutPictureExtension(it->path().filename().string()) || it->is_directory(error)) {
         return (parent / name).string();
       }
     }

@@ -4,6 +4,7 @@
 #include <set>
 #include <system_error>
 
+#include "colmap_ext/workspace/folder_search.h"
 #include "colmap_ext/workspace/match_names.h"
 #include "limn/util/errors.h"
 
@@ -39,20 +40,6 @@ void CheckUnambiguous(const NameMatches& matches, const std::vector<std::string>
 }
 
 }  // namespace
-
-std::vector<std::string> FilesBelow(const fs::path& folder, size_t max_files) {
-  std::vector<std::string> files;
-  std::error_code error;
-  fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error);
-  for (; !error && it != fs::recursive_directory_iterator() && files.size() < max_files;
-       it.increment(error)) {
-    std::error_code ignored;
-    if (it->is_regular_file(ignored))
-      files.push_back(it->path().lexically_relative(folder).string());
-  }
-  std::ranges::sort(files);
-  return files;
-}
 
 ImageFiles FindImageFiles(const SparseModel& model, const std::vector<int>& images,
                           const fs::path& image_dir, const PhotoStore& photos) {

@@ -22,9 +22,4 @@ struct ImageFiles {
 ImageFiles FindImageFiles(const SparseModel& model, const std::vector<int>& images,
                           const std::filesystem::path& image_dir, const PhotoStore& photos);
 
-// Relative paths of the regular files in a folder and those below, sorted; links to folders are not
-// followed. Folders that cannot be read are left out. At most `max_files`.
-std::vector<std::string> FilesBelow(const std::filesystem::path& folder,
-                                    size_t max_files = 200'000);
-
 }  // namespace limn::colmap_ext

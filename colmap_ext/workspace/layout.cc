@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "colmap_ext/workspace/camera_files.h"
+#include "colmap_ext/workspace/folder_search.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/pmvs_model.h"
 #include "colmap_ext/workspace/refined_folder.h"
-#include "colmap_ext/workspace/shallow_search.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -139,14 +139,14 @@ std::string HowToImportNear(const CameraFile& file) {
 }
 
 // Those in the workspace and up to three folders below.
-std::vector<fs::path> ModelsBelow(const ShallowSearch& found) {
+std::vector<fs::path> ModelsBelow(const FolderSearch& found) {
   std::vector<fs::path> models;
   std::ranges::copy_if(found.folders, std::back_inserter(models), HoldsModel);
   return models;
 }
 
 // The folder that has the first image of a model; empty if none has.
-fs::path FolderWithImagesOf(const fs::path& model, const ShallowSearch& found) {
+fs::path FolderWithImagesOf(const fs::path& model, const FolderSearch& found) {
   std::string name;
   try {
     const SparseModel read = ReadModel(model);
@@ -166,7 +166,7 @@ fs::path FolderWithImagesOf(const fs::path& model, const ShallowSearch& found) {
 // What to do with what the workspace holds instead of a model with its images, in one sentence that
 // begins in lower case; empty if it holds nothing of use.
 std::string WayOut(const fs::path& workspace, const LayoutOptions& options) {
-  const ShallowSearch found = SearchShallow(workspace, 3);
+  const FolderSearch found = SearchFolder(workspace, 3);
   const std::vector<fs::path> models = ModelsBelow(found);
   if (!models.empty()) {
     const fs::path images = options.image_path.empty() ? FolderWithImagesOf(models[0], found)

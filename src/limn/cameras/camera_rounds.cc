@@ -13,7 +13,6 @@
 #include "limn/cameras/camera_landmarks.h"
 #include "limn/cameras/camera_part.h"
 #include "limn/cameras/camera_uncertainty.h"
-#include "limn/cameras/gauge.h"
 #include "limn/geometry/median_point.h"
 #include "limn/model/shrunk.h"
 #include "limn/refinement/curve_fit.h"
@@ -148,16 +147,9 @@ class CameraRounds {
       if (!Round({.reach = reach, .part = &part}).has_moved) break;
     }
     if (part.empty()) return;
-    MovedPart& moved = result_.part.emplace();
-    moved.views = ViewsOf(part);
-    std::vector<View> part_before, part_now;
-    for (const ViewId v : moved.views) {
-      part_before.push_back(before[v]);
-      part_now.push_back(scene_.views[v]);
-    }
     const Eigen::Vector3d middle =
         MedianPoint({control_.position.begin(), control_.position.end()});
-    moved.motion = FindGauge(part_now, part_before, middle).given_from_refined;
+    result_.part = PartThatMoved(part, scene_, before, middle);
   }
 
   // That which is off in spite of all; moves nothing.
@@ -168,22 +160,14 @@ class CameraRounds {
     const bool is_off = Round({.reach = kReachesOfPart[0], .part = &part}).has_moved;
     scene_ = std::move(scene);
     result_ = std::move(result);
-    if (is_off) result_.part_left = ViewsOf(part);
-  }
-
-  std::vector<ViewId> ViewsOf(const CameraPart& part) const {
-    std::vector<ViewId> views;
-    for (size_t v = 0; v < scene_.views.size(); ++v) {
-      if (part[BodyOf(v)]) views.push_back(static_cast<ViewId>(v));
-    }
-    return views;
+    if (is_off) result_.part_left = ViewsOf(part, scene_.mounts);
   }
 
   // What was farther off than the gate did not count when the part was found.
   void ExchangeBodies(const MovedPart& moved) {
     CameraPart part(scene_.mounts.NumBodies(), 0);
     for (const ViewId v : moved.views) part[BodyOf(v)] = 1;
-    const std::vector<View> there = OnOtherSide(part, moved.motion);
+    const std::vector<View> there = OnOtherSide(part, moved.motion, scene_);
     const std::vector<int> shown = EdgelsPerBody(scene_.views);
     const std::vector<int> shown_there = EdgelsPerBody(there);
     std::vector<uint8_t> changes(part.size(), 0);
@@ -196,21 +180,9 @@ class CameraRounds {
       if (changes[BodyOf(v)]) scene_.views[v].cam_from_world = there[v].cam_from_world;
     }
     small_views_ = ShrunkViews(scene_.views, level_.factor);
-    if (std::ranges::count(changes, 1) > 0) result_.part = {ViewsOf(part), moved.motion};
-  }
-
-  // All bodies, those of the part back where they were, the others moved as it was.
-  std::vector<View> OnOtherSide(const CameraPart& part, const Eigen::Affine3d& motion) const {
-    std::vector<View> views = Moved(scene_.views, motion);
-    const std::vector<View> back = Moved(scene_.views, motion.inverse());
-    for (size_t v = 0; v < views.size(); ++v) {
-      if (part[BodyOf(v)]) views[v].cam_from_world = back[v].cam_from_world;
+    if (std::ranges::count(changes, 1) > 0) {
+      result_.part = {ViewsOf(part, scene_.mounts), moved.motion};
     }
-    const std::vector<Rigid3d> bodies = BodyPoses(views, scene_.mounts);
-    for (size_t v = 0; v < views.size(); ++v) {  // rigs keep their size
-      views[v].cam_from_world = scene_.mounts.of_view[v].view_from_body * bodies[BodyOf(v)];
-    }
-    return views;
   }
 
   // Matched along the drawing as these views, which have other poses, see it. Each by itself: few

@@ -3,10 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "limn/cameras/camera_scene.h"
 #include "limn/cameras/camera_uncertainty.h"
+#include "limn/cameras/moved_part.h"
 #include "limn/cameras/row_motion.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/refinement/refinement_options.h"
@@ -20,13 +19,6 @@ struct CameraEvidence {
   double residual_px = 0;  // of these, median of the size
   // Of the image of the scene (CertainByPx); 0: held, or not known, as without edgels.
   double certain_by_px = 0;
-};
-
-// Views whose cameras were off together, as those of one of two models that were merged, and have
-// moved as one.
-struct MovedPart {
-  std::vector<ViewId> views;
-  Eigen::Affine3d motion = Eigen::Affine3d::Identity();  // a similarity of the world
 };
 
 struct CameraRoundsInput {

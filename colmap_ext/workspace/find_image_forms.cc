@@ -1,4 +1,4 @@
-#include "colmap_ext/workspace/image_forms.h"
+#include "colmap_ext/workspace/find_image_forms.h"
 
 #include <algorithm>
 #include <cmath>

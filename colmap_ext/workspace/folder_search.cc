@@ -1,6 +1,7 @@
-#include "colmap_ext/workspace/shallow_search.h"
+#include "colmap_ext/workspace/folder_search.h"
 
 #include <algorithm>
+#include <limits>
 #include <system_error>
 
 namespace limn::colmap_ext {
@@ -8,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kMaxSeen = 20000;
+constexpr size_t kMaxEntriesBelow = 200'000;
 
 // At most `max` of them; unsorted beyond.
 std::vector<fs::directory_entry> SortedListing(const fs::path& folder, size_t max) {
@@ -24,16 +25,16 @@ std::vector<fs::directory_entry> SortedListing(const fs::path& folder, size_t ma
 
 }  // namespace
 
-ShallowSearch SearchShallow(const fs::path& folder, int depth) {
-  ShallowSearch found;
+FolderSearch SearchFolder(const fs::path& folder, int depth, size_t max_entries) {
+  FolderSearch found;
   found.folders = {folder};
   size_t num_seen = 0;
   size_t begin = 0;
-  for (int level = 0; level <= depth && num_seen < kMaxSeen; ++level) {
+  for (int level = 0; level <= depth && begin < found.folders.size(); ++level) {
     const size_t end = found.folders.size();
-    for (; begin < end && num_seen < kMaxSeen; ++begin) {
+    for (; begin < end; ++begin) {
       const fs::path current = found.folders[begin];
-      for (const fs::directory_entry& entry : SortedListing(current, kMaxSeen - num_seen)) {
+      for (const fs::directory_entry& entry : SortedListing(current, max_entries - num_seen)) {
         ++num_seen;
         std::error_code ignored;
         if (entry.is_regular_file(ignored)) {
@@ -46,6 +47,16 @@ ShallowSearch SearchShallow(const fs::path& folder, int depth) {
     }
   }
   return found;
+}
+
+std::vector<std::string> FilesBelow(const fs::path& folder) {
+  std::vector<std::string> files;
+  constexpr int kAnyDepth = std::numeric_limits<int>::max();
+  for (const fs::path& file : SearchFolder(folder, kAnyDepth, kMaxEntriesBelow).files) {
+    files.push_back(file.lexically_relative(folder).string());
+  }
+  std::ranges::sort(files);
+  return files;
 }
 
 }  // namespace limn::colmap_ext
