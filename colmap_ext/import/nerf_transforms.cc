@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
-
-#include <nlohmann/json.hpp>
 
 #include "colmap_ext/import/brown_lens.h"
 #include "colmap_ext/import/calibration.h"
-#include "colmap_ext/import/json_members.h"
+#include "colmap_ext/import/json_scene.h"
 #include "colmap_ext/import/stated_size.h"
 #include "colmap_ext/workspace/camera_files.h"
 #include "limn/files/json_text.h"
-#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -20,30 +18,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Json = nlohmann::ordered_json;
+using MembersOfFile = std::map<std::string, JsonValue>;
 
 // Entries of a frame, else of the whole file.
 class Entries {
  public:
-  Entries(const Json& frame, const Json& file, const FilePlace& place)
+  Entries(const JsonValue& frame, const MembersOfFile& file, const FilePlace& place)
       : frame_(frame), file_(file), place_(place) {}
 
   const FilePlace& place() const { return place_; }
-  bool Has(const char* key) const { return FindMember(frame_, key) || FindMember(file_, key); }
+  std::optional<JsonValue> Find(const char* key) const {
+    if (const auto own = frame_.FindNonNull(key)) return own;
+    const auto common = file_.find(key);
+    if (common == file_.end() || common->second.IsNull()) return std::nullopt;
+    return common->second;
+  }
   std::optional<double> Number(const char* key) const {
-    return Has(key) ? std::optional(NumberMember(Holder(key), key, place_)) : std::nullopt;
+    const auto found = Find(key);
+    return found ? std::optional(found->Number()) : std::nullopt;
   }
   double NumberOr(const char* key, double otherwise) const {
     return Number(key).value_or(otherwise);
   }
-  std::string Text(const char* key) const { return TextMember(Holder(key), key, place_); }
-  bool Flag(const char* key) const { return FlagMemberOr(Holder(key), key, false, place_); }
 
  private:
-  const Json& Holder(const char* key) const { return FindMember(frame_, key) ? frame_ : file_; }
-
-  const Json& frame_;
-  const Json& file_;
+  const JsonValue& frame_;
+  const MembersOfFile& file_;
   const FilePlace& place_;
 };
 
@@ -56,14 +56,16 @@ std::optional<double> Focal(const Entries& entries, const char* focal_key, const
 }
 
 bool IsFisheye(const Entries& entries) {
-  if (entries.Flag("is_fisheye")) return true;
-  if (!entries.Has("camera_model")) return false;
-  const std::string name = entries.Text("camera_model");
+  const auto flag = entries.Find("is_fisheye");
+  if (flag && flag->Bool()) return true;
+  const auto model = entries.Find("camera_model");
+  if (!model) return false;
+  const std::string& name = model->Text();
   if (name == "OPENCV_FISHEYE") return true;
   for (const char* known : {"PINHOLE", "SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV"}) {
     if (name == known) return false;
   }
-  entries.place().Fail("camera_model \"" + name + "\" is not known");
+  model->FailUnknown("camera model");
 }
 
 void SetCamera(const Entries& entries, const FoundImage& found, ImportedImage* image) {
@@ -87,34 +89,28 @@ void SetCamera(const Entries& entries, const FoundImage& found, ImportedImage* i
   }
 }
 
-Rigid3d ReadTransform(const Json& frame, const FilePlace& place) {
-  constexpr char kKey[] = "transform_matrix";
-  const Json& matrix = ListMember(frame, kKey, place);
-  if (matrix.size() != 3 && matrix.size() != 4) place.Fail("transform_matrix must be 4 x 4");
-  Eigen::Matrix4d world_from_cam = Eigen::Matrix4d::Identity();
-  for (int row = 0; row < static_cast<int>(matrix.size()); ++row) {
-    const std::vector<double> numbers = NumbersOf(matrix.at(row), kKey, 4, place);
-    world_from_cam.row(row) = Eigen::RowVector4d::Map(numbers.data());
-  }
+Rigid3d ReadTransform(const JsonValue& frame, const FilePlace& place) {
+  const JsonValue matrix = frame.At("transform_matrix");
+  Eigen::Matrix<double, 4, 4, Eigen::RowMajor> world_from_cam = Eigen::Matrix4d::Identity();
+  const std::vector<JsonValue> rows = matrix.Items(3, 4);
+  for (size_t i = 0; i < rows.size(); ++i) rows[i].Numbers(4, world_from_cam.row(i).data());
   if (!(world_from_cam.row(3).transpose() - Eigen::Vector4d::UnitW()).isZero(1e-9)) {
-    place.Fail("the last row of transform_matrix is not 0 0 0 1");
+    matrix.Fail("the last row is not 0 0 0 1");
   }
   const Eigen::DiagonalMatrix<double, 3> turn(1, -1, -1);
   const Eigen::Matrix3d rotation = world_from_cam.topLeftCorner<3, 3>() * turn;
   return Inverse({RotationFromMatrix(rotation, place), world_from_cam.topRightCorner<3, 1>()});
 }
 
-std::string ImageName(const Json& frame, const FilePlace& place) {
-  const std::string name = TextMember(frame, "file_path", place);
+std::string ImageName(const JsonValue& frame) {
+  const std::string& name = frame.At("file_path").Text();
   return fs::path(name).has_extension() ? name : name + ".png";
 }
 
 // Relative to the file, as nerfstudio writes it, or to the folder of images.
-std::string MaskOf(const Json& frame, const FilePlace& place, const ImageFolder& images) {
-  const auto found = frame.find("mask_path");
-  if (found == frame.end() || found->is_null()) return "";
-  if (!found->is_string()) place.Fail("mask_path is not a text");
-  auto name = found->get<std::string>();
+std::string MaskOf(const JsonValue& frame, const FilePlace& place, const ImageFolder& images) {
+  const auto found = frame.FindNonNull("mask_path");
+  std::string name = found ? found->Text() : "";
   if (name.empty()) return "";
   std::ranges::replace(name, '\\', '/');
   std::error_code ignored;
@@ -124,10 +120,9 @@ std::string MaskOf(const Json& frame, const FilePlace& place, const ImageFolder&
   place.Fail("mask \"" + name + "\" is missing: correct or remove its mask_path");
 }
 
-std::optional<ImportedImage> ReadFrame(const Json& frame, const Json& file, const FilePlace& place,
-                                       ImageFolder* images) {
-  const auto found =
-      images->Find(ImageName(frame, place), fs::path(place.path).parent_path(), place);
+std::optional<ImportedImage> ReadFrame(const JsonValue& frame, const MembersOfFile& file,
+                                       const FilePlace& place, ImageFolder* images) {
+  const auto found = images->Find(ImageName(frame), fs::path(place.path).parent_path(), place);
   if (!found) return std::nullopt;
   ImportedImage image;
   image.path = place.path;
@@ -140,6 +135,25 @@ std::optional<ImportedImage> ReadFrame(const Json& frame, const Json& file, cons
   return image;
 }
 
+ImportedScene ReadFrames(const JsonValue& file, const std::string& path, ImageFolder* images) {
+  const std::vector<JsonValue> frames = file.At("frames").Items();
+  const auto neus_axes = file.FindNonNull("from_na");
+  if (neus_axes && neus_axes->Bool()) neus_axes->Fail("the axes of NeuS2 are not read");
+  ImportedScene scene;
+  scene.notes = {"Read " + path};
+  if (file.FindNonNull("ply_file_path")) {
+    scene.notes.push_back("The points of its .ply are not read");
+  }
+  const auto members = file.Members();
+  const MembersOfFile by_name(members.begin(), members.end());
+  uint64_t number = 0;
+  for (const JsonValue& frame : frames) {
+    auto image = ReadFrame(frame, by_name, {path, "frame", number++}, images);
+    if (image) scene.images.push_back(std::move(*image));
+  }
+  return scene;
+}
+
 }  // namespace
 
 bool HoldsNerfTransforms(const fs::path& path) {
@@ -147,24 +161,10 @@ bool HoldsNerfTransforms(const fs::path& path) {
 }
 
 ImportedScene ReadNerfTransforms(const ImportInput& input) {
-  const std::string path = TheCameraFile(input.path, kNerfTransformsType).string();
-  const Json file = ParseJson(path, ReadWholeFile(path, kMaxJsonBytes));
-  const FilePlace start{path, "line", 1};
-  const Json& frames = ListMember(file, "frames", start);
-  if (FlagMemberOr(file, "from_na", false, start)) {
-    start.Fail("\"from_na\" is true: the axes of NeuS2 are not read");
-  }
-  ImportedScene scene;
-  scene.notes = {"Read " + path};
-  if (FindMember(file, "ply_file_path")) {
-    scene.notes.push_back("The points of its .ply are not read");
-  }
-  uint64_t number = 0;
-  for (const Json& frame : frames) {
-    auto image = ReadFrame(frame, file, {path, "frame", number++}, input.images);
-    if (image) scene.images.push_back(std::move(*image));
-  }
-  return scene;
+  return ReadJsonScene(input.path, kNerfTransformsType, kMaxJsonValues,
+                       [&](const JsonValue& file, const std::string& path) {
+                         return ReadFrames(file, path, input.images);
+                       });
 }
 
 }  // namespace limn::colmap_ext

@@ -62,10 +62,25 @@ std::optional<JsonValue> JsonValue::Find(const char* name) const {
   return JsonValue(*found, *root_);
 }
 
+std::optional<JsonValue> JsonValue::FindNonNull(const char* name) const {
+  const std::optional<JsonValue> found = Find(name);
+  return found && found->IsNull() ? std::nullopt : found;
+}
+
 JsonValue JsonValue::At(const char* name) const {
   const std::optional<JsonValue> found = Find(name);
   if (!found) Fail("no \"" + std::string(name) + "\"");
   return *found;
+}
+
+std::vector<std::pair<std::string, JsonValue>> JsonValue::Members() const {
+  ExpectObject();
+  std::vector<std::pair<std::string, JsonValue>> members;
+  members.reserve(value_->size());
+  for (const auto& [name, value] : value_->get_ref<const OrderedJson::object_t&>()) {
+    members.emplace_back(name, JsonValue(value, *root_));
+  }
+  return members;
 }
 
 std::vector<JsonValue> JsonValue::Items(size_t min, size_t max) const {
@@ -109,6 +124,14 @@ int JsonValue::Integer() const {
                     value_->get<double>() <= Limits::max();
   if (!fits) Fail("an integer expected");
   return value_->get<int>();
+}
+
+uint64_t JsonValue::Index() const {
+  constexpr double kMaxIndex = 9007199254740992;  // 2^53
+  const double number = value_->is_number() ? value_->get<double>() : -1;
+  const bool is_index = number >= 0 && number <= kMaxIndex && number == std::floor(number);
+  if (!is_index) Fail("an integer from 0 to 2^53 expected");
+  return static_cast<uint64_t>(number);
 }
 
 bool JsonValue::Bool() const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -27,7 +28,11 @@ class JsonValue {
   JsonValue At(const char* name) const;
   // Nothing if there is no such member.
   std::optional<JsonValue> Find(const char* name) const;
+  // Nor if it is null, as other programs write what they do not know.
+  std::optional<JsonValue> FindNonNull(const char* name) const;
   void ExpectObject() const;
+  // Those of an object, with their names, in the order of the file.
+  std::vector<std::pair<std::string, JsonValue>> Members() const;
 
   // The items of a list of `min` to `max`.
   std::vector<JsonValue> Items(size_t min = 0, size_t max = kNoLimit) const;
@@ -37,6 +42,8 @@ class JsonValue {
 
   double Number() const;
   int Integer() const;
+  // An integer from 0 to 2^53; may be written as 7.0.
+  uint64_t Index() const;
   bool Bool() const;
   const std::string& Text() const;
   bool IsNull() const;

@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
@@ -90,7 +91,7 @@ TEST_F(NerfTransforms, MasksOfFramesAreListed) {
   file["frames"][1]["mask_path"] = "masks/two.png";
   EXPECT_THAT(ErrorWith(file), HasSubstr("frame 1: mask \"masks/two.png\" is missing"));
   file["frames"][1]["mask_path"] = 7;
-  EXPECT_THAT(ErrorWith(file), HasSubstr("frame 1: mask_path is not a text"));
+  EXPECT_THAT(ErrorWith(file), HasSubstr("frames[1].mask_path: a text expected"));
 }
 
 TEST_F(NerfTransforms, CameraAnglesAreForTheWholeImage) {
@@ -116,6 +117,13 @@ TEST_F(NerfTransforms, FramesMayHaveIntrinsicsOfTheirOwn) {
   const SparseModel model = Import(kNerfTransformsFormat, Write(file));
   ExpectSameProjections(model, expected);
   EXPECT_EQ(model.cameras.size(), 2u);
+}
+
+TEST_F(NerfTransforms, NullsCountAsMissing) {
+  Json file = File(known_);
+  for (const char* key : {"k1", "camera_model", "is_fisheye", "from_na"}) file[key] = nullptr;
+  for (const char* key : {"fl_x", "mask_path"}) file["frames"][2][key] = nullptr;
+  ExpectSameProjections(Import(kNerfTransformsFormat, Write(file)), known_);
 }
 
 // The models of other tests, with k1 ... as the file has them.
@@ -174,39 +182,42 @@ TEST_F(NerfTransforms, BadFilesAreRefused) {
     Json file = File(known_);
     file["frames"][1][key] = value;
     const std::string error = ErrorWith(file);
-    EXPECT_THAT(error, HasSubstr("transforms.json: frame 1: ")) << key;
+    EXPECT_THAT(error, AnyOf(HasSubstr("transforms.json: frame 1: "),
+                             HasSubstr("transforms.json: frames[1]." + std::string(key))))
+        << key;
     return error;
   };
   EXPECT_THAT(error_with("file_path", "images/none.png"),
               HasSubstr("image \"images/none.png\" is not in the image folder"));
-  EXPECT_THAT(error_with("file_path", 7), HasSubstr("\"file_path\" is not a text"));
+  EXPECT_THAT(error_with("file_path", 7), HasSubstr("frames[1].file_path: a text expected"));
   EXPECT_THAT(error_with("w", 700), HasSubstr("image \"img_2.png\" has 640 x 480 pixels, but width "
                                               "and height are 700 and 480: another aspect"));
   EXPECT_THAT(error_with("k4", -50), HasSubstr("the radial distortion with k4 = -50"));
-  EXPECT_THAT(error_with("camera_model", "EQUIRECTANGULAR"), HasSubstr("is not known"));
+  EXPECT_THAT(error_with("camera_model", "EQUIRECTANGULAR"),
+              HasSubstr("frames[1].camera_model: unknown camera model \"EQUIRECTANGULAR\""));
   EXPECT_THAT(error_with("fl_x", -600), HasSubstr("the focal length is not positive"));
-  EXPECT_THAT(error_with("fl_x", "600"), HasSubstr("\"fl_x\" is not a number"));
+  EXPECT_THAT(error_with("fl_x", "600"), HasSubstr("frames[1].fl_x: a number expected"));
   EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}}),
-              HasSubstr("transform_matrix must be 4 x 4"));
+              HasSubstr("transform_matrix: a list of 3 to 4 expected, not of 2"));
   EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1}}),
-              HasSubstr("\"transform_matrix\" is not a list of 4 numbers"));
+              HasSubstr("transform_matrix[2]: a list of 4 numbers expected"));
   EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}}),
               HasSubstr("the rotation matrix is none"));
   EXPECT_THAT(
       error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 1, 1}}),
-      HasSubstr("the last row of transform_matrix"));
+      HasSubstr("transform_matrix: the last row is not 0 0 0 1"));
   Json file = File(known_);
   file["frames"][2].erase("transform_matrix");
-  EXPECT_THAT(ErrorWith(file), AllOf(HasSubstr("frame 2"), HasSubstr("transform_matrix")));
+  EXPECT_THAT(ErrorWith(file), HasSubstr("frames[2]: no \"transform_matrix\""));
   file = File(known_);
   file.erase("fl_x");
   EXPECT_THAT(ErrorWith(file), HasSubstr("frame 0: neither fl_x nor camera_angle_x"));
   file = File(known_);
   file["from_na"] = true;
-  EXPECT_THAT(ErrorWith(file), HasSubstr("the axes of NeuS2"));
+  EXPECT_THAT(ErrorWith(file), HasSubstr("transforms.json: from_na: the axes of NeuS2"));
   file["frames"] = 5;
-  EXPECT_THAT(ErrorWith(file), HasSubstr("\"frames\" is not a list"));
-  EXPECT_THAT(ErrorWith(Json::object()), HasSubstr("frames"));
+  EXPECT_THAT(ErrorWith(file), HasSubstr("transforms.json: frames: a list expected"));
+  EXPECT_THAT(ErrorWith(Json::object()), HasSubstr("transforms.json: no \"frames\""));
   const std::string text = File(known_).dump();
   EXPECT_THAT(Error(kNerfTransformsFormat,
                     dir_.WriteFile("transforms.json", text.substr(0, text.size() / 2))),

@@ -132,6 +132,14 @@ TEST_F(Openmvg, ViewsWithoutPoseAreLeftOut) {
   EXPECT_THAT(notes_, Contains("1 views have no pose and are left out"));
 }
 
+TEST_F(Openmvg, NullsCountAsMissing) {
+  const SparseModel centered = CenteredModel();
+  Json file = FileOf(centered, IntrinsicOf("pinhole", centered.cameras[0].params, Json::object()));
+  file["root_path"] = file["structure"] = nullptr;
+  file["views"][0]["value"]["ptr_wrapper"]["data"]["local_path"] = nullptr;
+  ExpectSameProjections(Import(kOpenmvgFormat, Write(file)), centered);
+}
+
 TEST_F(Openmvg, BadFilesAreRefused) {
   const SparseModel centered = CenteredModel();
   const Json good =
@@ -143,23 +151,26 @@ TEST_F(Openmvg, BadFilesAreRefused) {
     EXPECT_THAT(error, AllOf(HasSubstr("sfm_data.json: "), Not(HasSubstr("exception")))) << pointer;
     return error;
   };
-  EXPECT_THAT(error_at("/views", 7), HasSubstr("\"views\" is not a list"));
-  EXPECT_THAT(error_at("/views/1/value", 7), HasSubstr("view 1: \"value\" is not an object"));
-  EXPECT_THAT(error_at("/views/1/value/ptr_wrapper/data/id_pose", -1), HasSubstr("not an index"));
+  EXPECT_THAT(error_at("/views", 7), HasSubstr("sfm_data.json: views: a list expected"));
+  EXPECT_THAT(error_at("/views/1/value", 7), HasSubstr("views[1].value: an object expected"));
+  EXPECT_THAT(
+      error_at("/views/1/value/ptr_wrapper/data/id_pose", -1),
+      HasSubstr("views[1].value.ptr_wrapper.data.id_pose: an integer from 0 to 2^53 expected"));
   EXPECT_THAT(error_at("/views/1/value/ptr_wrapper/data/filename", "none.png"),
               HasSubstr("image \"none.png\" is not in the image folder"));
   EXPECT_THAT(error_at("/extrinsics/2/value/rotation/0/0", 9), HasSubstr("pose 2: the rotation"));
   EXPECT_THAT(error_at("/extrinsics/2/value/rotation", {1}),
-              HasSubstr("\"rotation\" is not 3 x 3"));
+              HasSubstr("extrinsics[2].value.rotation: a list of 3 expected, not of 1"));
   EXPECT_THAT(error_at("/intrinsics/0/value/polymorphic_name", "spherical"),
               HasSubstr("view 0: cameras of type \"spherical\" are not read"));
   EXPECT_THAT(error_at("/intrinsics/0/value/polymorphic_name", nullptr),
-              HasSubstr("camera 0: no camera before it"));
+              HasSubstr("intrinsics[0].value: no camera before it"));
   EXPECT_THAT(error_at("/intrinsics/0/value/ptr_wrapper/data/width", 100),
               HasSubstr("another aspect"));
-  EXPECT_THAT(error_at("/structure/0/value/X", {1, 2}), HasSubstr("point 0: \"X\""));
+  EXPECT_THAT(error_at("/structure/0/value/X", {1, 2}),
+              HasSubstr("structure[0].value.X: a list of 3 numbers expected"));
   EXPECT_THAT(error_at("/structure/0/value/observations/0/value/x/0", "a"),
-              HasSubstr("point 0: \"x\" is not a number"));
+              HasSubstr("structure[0].value.observations[0].value.x[0]: a number expected"));
   EXPECT_THAT(Error(kOpenmvgFormat, dir_.WriteFile("sfm_data.json", "{\"sfm_data_version\": ")),
               HasSubstr("the JSON text ends too early"));
 }

@@ -42,6 +42,13 @@ TEST(JsonValue, GivesWhatIsThere) {
   EXPECT_TRUE(value.At("e").IsNull());
   EXPECT_EQ(value.At("o").At("n").Place(), "o.n");
   EXPECT_FALSE(value.Find("none"));
+  EXPECT_TRUE(value.Find("e"));
+  EXPECT_FALSE(value.FindNonNull("e"));
+  EXPECT_FALSE(value.FindNonNull("none"));
+  EXPECT_EQ(value.FindNonNull("n")->Number(), 1.5);
+  EXPECT_EQ(value.Members().size(), 7u);
+  EXPECT_EQ(value.Members()[6].first, "o");
+  EXPECT_EQ(value.Members()[6].second.Place(), "o");
   EXPECT_EQ(value.NumberOr("none", 4), 4);
   EXPECT_EQ(value.NumberOr("n", 4), 1.5);
   EXPECT_TRUE(value.ItemsOf("none").empty());
@@ -73,6 +80,19 @@ TEST(JsonValue, TakesIntegersInRangeOnly) {
   for (const char* text : {"2147483648", "-2147483649", "4294967296", "18446744073709551615", "1.5",
                            "1e300", "\"1\"", "null", "[1]"}) {
     EXPECT_EQ(SaidOf(text, integer), "an integer expected") << text;
+  }
+}
+
+TEST(JsonValue, TakesIndicesUpToTheIntegersOfADouble) {
+  const auto index_of = [](const char* text) { return JsonValue(ParsedJson::parse(text)).Index(); };
+  EXPECT_EQ(index_of("0"), 0u);
+  EXPECT_EQ(index_of("7.0"), 7u);
+  EXPECT_EQ(index_of("2147483649"), 2147483649u);
+  EXPECT_EQ(index_of("9007199254740992"), 9007199254740992u);
+  const auto index = [](const JsonValue& value) { value.Index(); };
+  for (const char* text :
+       {"-1", "1.5", "9007199254740994", "18446744073709551615", "1e300", "\"1\"", "null", "[1]"}) {
+    EXPECT_EQ(SaidOf(text, index), "an integer from 0 to 2^53 expected") << text;
   }
 }
 
