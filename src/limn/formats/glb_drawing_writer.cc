@@ -351,9 +351,7 @@ void AddFaces(const DrawingGraph& graph, SceneBuilder* scene) {
   }
 }
 
-}  // namespace
-
-void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out) {
+void WriteInMeters(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out) {
   SceneBuilder scene(MiddleOf(graph));
   const std::vector<LinkId> curves = CurvesOf(graph);
   const auto num_links = static_cast<LinkId>(graph.links.size());
@@ -371,6 +369,21 @@ void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::
   }
   AddFaces(graph, &scene);
   scene.Write(out);
+}
+
+}  // namespace
+
+void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, LengthUnit unit,
+                     std::ostream& out) {
+  if (unit == LengthUnit::kNone || unit == LengthUnit::kMeter) {
+    WriteInMeters(graph, options, out);
+    return;
+  }
+  const double meters = Millimeters(unit) / 1000;
+  GlbOptions in_meters = options;
+  for (GlbPoint& point : in_meters.cloud) point.position *= meters;
+  WriteInMeters(Transformed(graph, meters, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()),
+                in_meters, out);
 }
 
 }  // namespace limn

@@ -7,6 +7,7 @@
 
 #include "limn/formats/colors.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/util/length_unit.h"
 
 namespace limn {
 
@@ -37,11 +38,12 @@ struct GlbOptions {
 //                            sides). extras: "face", "surface", "area", "confidence", "views"
 //     node "junctions"       points, white; extras: "nodes", their ids in order
 //     node "cloud"           points in their colors
-// The graph has z up, glTF y up: (x, y, z) is written as (x, z, -y), which Blender's importer
-// reverts. Positions are floats relative to the middle of the links, so that places far from the
-// origin keep their digits; the translation is written with full precision. Colors are linear, as
-// glTF requires. Throws InputError if the file exceeds the format's 4 GB, or a coordinate the range
-// of float.
-void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out);
+// glTF is in meters: coordinates in another known unit are converted. The graph has z up, glTF y
+// up: (x, y, z) is written as (x, z, -y), which Blender's importer reverts. Positions are floats
+// relative to the middle of the links, so that places far from the origin keep their digits; the
+// translation is written with full precision. Colors are linear, as glTF requires. Throws
+// InputError if the file exceeds the format's 4 GB, or a coordinate the range of float.
+void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, LengthUnit unit,
+                     std::ostream& out);
 
 }  // namespace limn

@@ -49,8 +49,10 @@ void PutFaces(const std::vector<DrawingFace>& faces, size_t num_vertices, std::o
 
 }  // namespace
 
-void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, std::ostream& out) {
+void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, LengthUnit unit,
+                     std::ostream& out) {
   out << "# 3D drawing by limn: the first " << graph.nodes.size() << " vertices are its nodes\n";
+  if (unit != LengthUnit::kNone) out << "# unit: " << UnitName(unit) << '\n';
   for (const DrawingNode& node : graph.nodes) PutVector("v", node.position_in_world, out);
   const bool has_kinds = HasKinds(graph);
   size_t num_vertices = graph.nodes.size();

@@ -77,12 +77,18 @@ void WriteStep(const Job& job, std::ostream& out) {
 const std::vector<Format>& Formats() {
   using Out = std::ostream;
   static const std::vector<Format> formats = {
-      {"ply", {".ply"}, [](const Job& job, Out& out) { WriteDrawingPly(job.graph, out); }},
+      {"ply",
+       {".ply"},
+       [](const Job& job, Out& out) { WriteDrawingPly(job.graph, job.options.unit, out); }},
       // Only by its name: a .ply file is the curves.
-      {"faces", {}, [](const Job& job, Out& out) { WriteFacesPly(job.graph, out); }},
+      {"faces",
+       {},
+       [](const Job& job, Out& out) { WriteFacesPly(job.graph, job.options.unit, out); }},
       {"obj",
        {".obj"},
-       [](const Job& job, Out& out) { WriteDrawingObj(job.graph, job.options.obj, out); }},
+       [](const Job& job, Out& out) {
+         WriteDrawingObj(job.graph, job.options.obj, job.options.unit, out);
+       }},
       {"json",
        {".json"},
        [](const Job& job, Out& out) { WriteDrawingJson(job.graph, job.metadata, out); }},
@@ -93,11 +99,13 @@ const std::vector<Format>& Formats() {
        }},
       {"glb",
        {".glb"},
-       [](const Job& job, Out& out) { WriteDrawingGlb(job.graph, job.options.glb, out); }},
+       [](const Job& job, Out& out) {
+         WriteDrawingGlb(job.graph, job.options.glb, job.options.unit, out);
+       }},
       {"svg", {".svg"}, [](const Job& job, Out& out) { WriteSvg(job, out); }},
       {"graphml",
        {".graphml"},
-       [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, out); }},
+       [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, job.options.unit, out); }},
 #ifdef LIMN_WITH_STEP
       {"step", {".step", ".stp"}, [](const Job& job, Out& out) { WriteStep(job, out); }},
 #endif
