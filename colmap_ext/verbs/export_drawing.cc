@@ -238,6 +238,7 @@ void CheckOutput(const ExporterOptions& options) {
 void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
   parser->AddOption("segments", &format->obj.segments,
                     "OBJ: elements of two vertices, for MeshLab, which shows no polylines");
+  parser->AddOption("y_up", &format->obj.y_up, "OBJ: y points up instead of z");
   parser->AddOption("objects", &format->glb.objects,
                     {{"kind", GlbObjects::kKind}, {"link", GlbObjects::kLink}},
                     "GLB: what becomes an object, all links of a kind of edge or each link");

@@ -10,6 +10,8 @@ namespace limn {
 struct ObjOptions {
   // Elements of two vertices each, for programs that show no polylines (MeshLab).
   bool segments = false;
+  // Written with y up: (x, y, z) as (x, z, -y).
+  bool y_up = false;
 };
 
 // Writes a drawing as Wavefront OBJ: a comment "# unit: m" if the unit of its coordinates is known,

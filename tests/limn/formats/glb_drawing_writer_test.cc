@@ -268,7 +268,7 @@ std::vector<float> FloatsOf(const Glb& glb, const Json& accessor) {
 TEST(WriteDrawingGlb, FacesAreTrianglesWithNormals) {
   const DrawingGraph graph = testing::HalfCylinderSide();
   const DrawingFace& face = graph.faces[0];
-  GlbOptions options;
+  GlbOptions options = LinksAsObjects();
   options.cloud = {{{1, 2, 3}, {255, 0, 188}}};
   const Glb glb = WrittenGlb(graph, options);
   const Json& primitive = PrimitiveOf(glb, "face_0");
