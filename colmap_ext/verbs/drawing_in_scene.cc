@@ -4,6 +4,7 @@
 
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/verbs/drawing_input.h"
+#include "limn/alignment/camera_hints.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -12,6 +13,7 @@ DrawingMetadata Metadata(const Scene& scene, const std::string& provenance) {
   DrawingMetadata metadata;
   for (const View& view : scene.views()) metadata.view_names.push_back(view.name);
   metadata.options_json = provenance;
+  if (!scene.views().empty()) metadata.main_view_direction = MainViewDirection(scene.views());
   return metadata;
 }
 

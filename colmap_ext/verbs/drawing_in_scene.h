@@ -25,7 +25,7 @@ struct DrawingInScene {
   bool has_share_of_cameras = false;
 };
 
-// The names of the scene's views, and the provenance of a result made from them.
+// Of the scene's views, and the provenance of a result made from them.
 DrawingMetadata Metadata(const Scene& scene, const std::string& provenance);
 
 // ReadDrawing for the scene's views, in the coordinates of the file. Throws IoError if it is

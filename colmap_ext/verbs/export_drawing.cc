@@ -1,5 +1,6 @@
 #include "colmap_ext/verbs/export_drawing.h"
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "limn/formats/ply_points_reader.h"
 #include "limn/formats/svg/svg_drawing_writer.h"
 #include "limn/util/errors.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -25,20 +27,47 @@ std::string FormatName(const ExporterOptions& options) {
   return DrawingFormatOf(options.output_path, options.format);
 }
 
-// From the coordinates of the model.
-Similarity3d FileFromModel(const ExporterOptions& options, const DrawingMetadata& metadata) {
-  const Similarity3d by_options = {options.scale, ZUpFrom(options.up_axis),
-                                   Eigen::Vector3d::Zero()};
-  if (!options.IsAligned()) return by_options;
-  return by_options * RequireAlignment(options.input_path, metadata).world_from_model;
+// Neither turned nor scaled.
+bool IsInModel(const ExporterOptions& options) {
+  const std::string name = FormatName(options);
+  return name == kLimapFormat || (name == "svg" && !options.svg.IsSheet());
 }
 
-// An aligned drawing is in meters, unless it is scaled further or the options say otherwise.
-LengthUnit UnitOf(const ExporterOptions& options, const DrawingMetadata& metadata) {
-  const bool in_meters =
-      options.IsAligned() && metadata.alignment->IsMetric() && options.scale == 1;
-  const bool is_open = options.format.unit == LengthUnit::kNone;
-  return in_meters && is_open ? LengthUnit::kMeter : options.format.unit;
+bool IsMetric(const DrawingMetadata& metadata) {
+  return metadata.alignment && metadata.alignment->IsMetric();
+}
+
+// The coordinates of the file.
+struct FileFrame {
+  Similarity3d from_model;
+  double units_per_world_unit = 1;
+  LengthUnit unit = LengthUnit::kNone;
+};
+
+// Where the scale is known a unit converts, and an aligned drawing is in meters; else the unit is
+// what the options say of it.
+FileFrame FrameOf(const ExporterOptions& options, const DrawingMetadata& metadata) {
+  LengthUnit unit = options.format.unit;
+  if (IsInModel(options)) return {{}, 1, unit};
+  double scale = options.scale;
+  if (IsMetric(metadata)) {
+    if (unit != LengthUnit::kNone && scale != 1) {
+      throw OptionError("scale = " + ShortNumber(scale) + " and unit = " + UnitName(unit) +
+                        ": the scale of the drawing is known, and the unit converts to it: leave "
+                        "one of them out");
+    }
+    if (unit == LengthUnit::kNone && options.IsAligned() && scale == 1) unit = LengthUnit::kMeter;
+    if (unit != LengthUnit::kNone) scale = Millimeters(LengthUnit::kMeter) / Millimeters(unit);
+  }
+  Similarity3d file_from_world = {scale, ZUpFrom(options.up_axis), Eigen::Vector3d::Zero()};
+  if (options.IsAligned()) {
+    const Alignment& alignment = RequireAlignment(options.input_path, metadata);
+    return {file_from_world * alignment.world_from_model, scale, unit};
+  }
+  if (IsMetric(metadata) && unit != LengthUnit::kNone) {
+    file_from_world.scale *= metadata.alignment->world_from_model.scale;
+  }
+  return {file_from_world, scale, unit};
 }
 
 std::vector<GlbPoint> ReadCloud(const std::string& path, const Similarity3d& file_from_model) {
@@ -63,6 +92,14 @@ std::optional<Eigen::Vector3d> UpOf(const ExporterOptions& options,
 bool IsPlan(const ExporterOptions& options) {
   return FormatName(options) == "dxf" &&
          (!options.svg.view.empty() || !options.svg.plan.section.empty());
+}
+
+DrawingMetadata InFile(const Similarity3d& file_from_model, DrawingMetadata metadata) {
+  if (metadata.alignment) metadata.alignment = After(file_from_model, *metadata.alignment);
+  if (auto& direction = metadata.main_view_direction) {
+    direction = Eigen::Vector3d(file_from_model.rotation * *direction);
+  }
+  return metadata;
 }
 
 // What an SVG picture or a plan shows of the graph.
@@ -95,13 +132,23 @@ DrawingGraph PutPlan(SvgScene scene, DxfOptions* dxf) {
   return std::move(flat.graph);
 }
 
-// Pictures of images are in the coordinates of the model, but lengths in meters if that is known.
-DimensionText TextOf(const DrawingMetadata& metadata, bool is_in_model, LengthUnit unit) {
-  const bool is_metric = metadata.alignment && metadata.alignment->IsMetric();
-  if (is_in_model && is_metric) {
-    return {metadata.alignment->world_from_model.scale, LengthUnit::kMeter};
-  }
-  return {1, unit};
+// Pictures of images are in the coordinates of the model, but their lengths in the unit asked for,
+// or in meters, if that is known.
+DimensionText TextInImage(const DrawingMetadata& metadata, LengthUnit unit) {
+  if (!IsMetric(metadata)) return {1, unit};
+  if (unit == LengthUnit::kNone) unit = LengthUnit::kMeter;
+  const double meters = metadata.alignment->world_from_model.scale;
+  return {meters * Millimeters(LengthUnit::kMeter) / Millimeters(unit), unit};
+}
+
+// The axis of the file along which most cameras look, as far as they look along one.
+Eigen::Vector3d FrontOf(const DrawingMetadata& metadata) {
+  constexpr double kLeastHorizontal = 0.3;
+  const Eigen::Vector3d direction = metadata.main_view_direction.value_or(Eigen::Vector3d::Zero());
+  if (direction.head<2>().norm() < kLeastHorizontal) return Eigen::Vector3d::UnitY();
+  const bool is_along_x = std::abs(direction.x()) > std::abs(direction.y());
+  const int axis = is_along_x ? 0 : 1;
+  return std::copysign(1.0, direction[axis]) * Eigen::Vector3d::Unit(axis);
 }
 
 std::vector<DrawingFace> TransformedFaces(std::vector<DrawingFace> faces,
@@ -140,27 +187,34 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
   WarnOfUnknownCurves(drawing.graph, options.selection.detail, console);
   if (FormatName(options) == kLimapFormat) return ExportLimap(std::move(drawing), options, console);
   DrawingMetadata& metadata = drawing.metadata;
-  const Similarity3d file_from_model = FileFromModel(options, metadata);
-  const auto& [scale, rotation, translation] = file_from_model;
-  const std::vector<DrawingFace> faces = TransformedFaces(drawing.graph.faces, file_from_model);
+  const FileFrame frame = FrameOf(options, metadata);
+  const auto& [scale, rotation, translation] = frame.from_model;
+  const std::vector<DrawingFace> faces = TransformedFaces(drawing.graph.faces, frame.from_model);
   DrawingGraph graph =
       Transformed(Selected(std::move(drawing.graph), options.selection.Selection()), scale,
                   rotation, translation);
   DrawingFormatOptions format = options.format;
-  format.unit = UnitOf(options, metadata);
-  if (metadata.alignment) metadata.alignment = After(file_from_model, *metadata.alignment);
+  format.unit = frame.unit;
+  metadata = InFile(frame.from_model, std::move(metadata));
   format.dxf.junctions = format.glb.junctions = options.junctions;
   format.glb.rods_as_tubes = format.step.rods_as_tubes = options.rods_as_tubes;
   if (!options.cloud_path.empty()) {
-    format.glb.cloud = ReadCloud(options.cloud_path, file_from_model);
+    format.glb.cloud = ReadCloud(options.cloud_path, frame.from_model);
   }
   format.dxf.dimension_text = {1, format.unit};
   const bool is_svg = FormatName(options) == "svg";
   if (is_svg || IsPlan(options)) {
-    const SheetInput input = {graph, faces, file_from_model, UpOf(options, metadata),
-                              options.scale};
+    const SheetInput input = {.graph = graph,
+                              .faces = faces,
+                              .file_from_model = frame.from_model,
+                              .up = UpOf(options, metadata),
+                              .scale = frame.units_per_world_unit,
+                              .unit = frame.unit,
+                              .front = FrontOf(metadata)};
     SvgScene scene = SceneOf(options, input, console);
-    scene.picture.style.dimension_text = TextOf(metadata, !options.svg.IsSheet(), format.unit);
+    scene.picture.style.dimension_text = options.svg.IsSheet()
+                                             ? DimensionText{1, frame.unit}
+                                             : TextInImage(metadata, options.format.unit);
     format.svg = scene.picture;
     graph = is_svg ? std::move(scene.graph) : PutPlan(std::move(scene), &format.dxf);
   }
@@ -184,6 +238,10 @@ void CheckOutput(const ExporterOptions& options) {
 void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
   parser->AddOption("segments", &format->obj.segments,
                     "OBJ: elements of two vertices, for MeshLab, which shows no polylines");
+  parser->AddOption("y_up", &format->obj.y_up, "OBJ: y points up instead of z");
+  parser->AddOption("objects", &format->glb.objects,
+                    {{"kind", GlbObjects::kKind}, {"link", GlbObjects::kLink}},
+                    "GLB: what becomes an object, all links of a kind of edge or each link");
   parser->AddOption(
       "layers", &format->dxf.layers,
       {{"class", DxfLayers::kClass},
@@ -193,14 +251,17 @@ void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
        {"face", DxfLayers::kFace}},
       "DXF: what makes a layer, the shape of the curve (class), the kind of edge, the connected "
       "component or the face");
-  parser->AddOption("unit", &format->unit,
-                    {{"none", LengthUnit::kNone},
-                     {"mm", LengthUnit::kMillimeter},
-                     {"cm", LengthUnit::kCentimeter},
-                     {"m", LengthUnit::kMeter},
-                     {"in", LengthUnit::kInch},
-                     {"ft", LengthUnit::kFoot}},
-                    BasicOption("DXF, STEP and dimensions: what one unit is after scaling"));
+  parser->AddOption(
+      "unit", &format->unit,
+      {{"none", LengthUnit::kNone},
+       {"mm", LengthUnit::kMillimeter},
+       {"cm", LengthUnit::kCentimeter},
+       {"m", LengthUnit::kMeter},
+       {"in", LengthUnit::kInch},
+       {"ft", LengthUnit::kFoot}},
+      BasicOption("of the file: converts if the scale of the drawing is known (none = m if it "
+                  "is aligned), else says what one unit is after scaling; glb is in "
+                  "m"));
 }
 
 }  // namespace
@@ -267,9 +328,8 @@ void ExporterOptions::Check() const {
     throw OptionError("rods_as_tubes: only in .glb and .step files");
   }
   if (IsPlan(*this) && !svg.IsSheet()) {
-    throw OptionError("view = " + svg.view +
-                      ": must be top, front, side, axonometric or face:<id>; "
-                      "only SVG pictures show images");
+    throw OptionError("view = " + svg.view + ": must be one of " + kSheetViews +
+                      "; only SVG pictures show images");
   }
   if (name == "svg" || IsPlan(*this)) svg.Check(workspace);
   if (!svg.plan.section.empty() && name != "svg" && name != "dxf") {
@@ -278,8 +338,7 @@ void ExporterOptions::Check() const {
   if (name == kLimapFormat && workspace.workspace_path.empty()) {
     throw OptionError("output_type = limap: the cameras of --workspace_path go with it");
   }
-  const bool is_in_model = name == kLimapFormat || (name == "svg" && !svg.IsSheet());
-  if (is_in_model && (scale != 1 || up_axis != SignedAxis::kZ || aligned)) {
+  if (IsInModel(*this) && (scale != 1 || up_axis != SignedAxis::kZ || aligned)) {
     throw OptionError("scale, up_axis and aligned: " +
                       std::string(name == "svg" ? "the picture of an image is in its pixels"
                                                 : "a model of LIMAP keeps its coordinates"));

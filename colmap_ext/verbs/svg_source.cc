@@ -32,11 +32,16 @@ struct NamedProjection {
   const char* name;
   SvgProjection projection;
 };
-constexpr std::array<NamedProjection, 4> kProjections = {
-    {{"top", SvgProjection::kTop},
-     {"front", SvgProjection::kFront},
-     {"side", SvgProjection::kSide},
+constexpr std::array<NamedProjection, 7> kProjections = {
+    {{"front", SvgProjection::kFront},
+     {"back", SvgProjection::kBack},
+     {"left", SvgProjection::kLeft},
+     {"right", SvgProjection::kRight},
+     {"top", SvgProjection::kTop},
+     {"bottom", SvgProjection::kBottom},
      {"axonometric", SvgProjection::kAxonometric}}};
+// Of the area of the faces that are seen from one of their sides.
+constexpr double kMostlyBacks = 2.0 / 3;
 
 const NamedProjection* ProjectionOf(const std::string& view) {
   const auto found = std::find_if(kProjections.begin(), kProjections.end(),
@@ -148,8 +153,23 @@ ViewId FindView(const Scene& project, const std::string& name) {
   for (size_t v = 0; v < project.views().size(); ++v) {
     if (project.views()[v].name == name) return static_cast<ViewId>(v);
   }
-  throw OptionError("view = " + name +
-                    ": must be top, front, side, axonometric, face:<id> or the name of an image");
+  throw OptionError("view = " + name + ": must be " + std::string(kSheetViews) +
+                    " or the name of an image");
+}
+
+void WarnOfBacks(const std::vector<DrawingFace>& faces, const Eigen::Vector3d& forward,
+                 const std::string& view, Console* console) {
+  double seen = 0, from_behind = 0;
+  for (const DrawingFace& face : faces) {
+    if (face.surface != FaceSurface::kPlane) continue;
+    const double toward = -AreaOf(face) * face.normal.dot(forward);
+    seen += std::abs(toward);
+    from_behind += std::max(0.0, -toward);
+  }
+  if (!(from_behind > kMostlyBacks * seen)) return;
+  console->Say("WARNING: view = " + view + ": " +
+               ShortNumber(std::round(100 * from_behind / seen)) +
+               " % of the faces, by area, turn their backs; the other side was photographed");
 }
 
 // As a reference from the folder of the picture.
@@ -163,10 +183,12 @@ std::string RelativeTo(const fs::path& picture, const fs::path& photo) {
 }  // namespace
 
 void SvgSource::AddOptions(OptionParser* parser) {
-  parser->AddOption("view", &view,
-                    BasicOption("SVG and DXF: top, front, side, axonometric or face:<id> (along a "
-                                "face) to scale; SVG: or the name of an image. Empty: axonometric, "
-                                "in DXF the drawing in space"));
+  parser->AddOption(
+      "view", &view,
+      BasicOption("SVG and DXF: front (along which most cameras look), back, left, "
+                  "right, top, bottom, axonometric or face:<id> (along a face); SVG: "
+                  "or the name of an image. Empty: axonometric, in DXF the drawing in "
+                  "space"));
   parser->AddOption("dense_path", &dense.dense_path,
                     BasicOption("SVG, DXF plans: what hides parts; for sheets a mesh or a cloud"));
   parser->AddOption("dense_type", &dense.dense_type,
@@ -191,8 +213,7 @@ void SvgSource::AddOptions(OptionParser* parser) {
                     BasicOption("SVG: meaning of colors"));
   parser->AddOption("line_width_px", &style.line_width_px, "SVG: width of lines, px");
   parser->AddOption("sheet_scale", &sheet.sheet_scale,
-                    BasicOption("SVG: n of 1:n for units of a meter, 0 = the largest that fits on "
-                                "A3"));
+                    BasicOption("SVG: n of 1:n, 0 = the largest that fits on A3"));
   parser->AddOption("azimuth_deg", &sheet.azimuth_deg,
                     "SVG: axonometric, direction of the viewpoint about z, deg");
   parser->AddOption("elevation_deg", &sheet.elevation_deg,
@@ -236,6 +257,8 @@ SvgScene SceneOnSheet(const SvgSource& source, const SheetInput& input, Console*
   scene.picture.style = StyleOf(source);
   scene.picture.sheet = source.sheet;
   SheetOptions& sheet = scene.picture.sheet;
+  sheet.unit = input.unit;
+  sheet.front = input.front;
   DepthRange range;
   if (source.Face()) {
     const DrawingFace& face = FaceOf(source, input.faces);
@@ -257,7 +280,9 @@ SvgScene SceneOnSheet(const SvgSource& source, const SheetInput& input, Console*
   if (scene.graph.links.empty() && sheet.more_places.empty()) {
     throw InputError("nothing of the drawing is on the sheet");
   }
-  scene.picture.is_hidden = HiddenOn(MakeSheet(scene.graph, sheet), range, source, input, console);
+  const SvgSheet made = MakeSheet(scene.graph, sheet);
+  WarnOfBacks(input.faces, made.axes.row(2).transpose(), source.view, console);
+  scene.picture.is_hidden = HiddenOn(made, range, source, input, console);
   return scene;
 }
 

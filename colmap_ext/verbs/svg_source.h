@@ -15,6 +15,9 @@
 
 namespace limn::colmap_ext {
 
+// The values of SvgSource::view that make a sheet.
+constexpr const char* kSheetViews = "front, back, left, right, top, bottom, axonometric, face:<id>";
+
 // How an SVG picture or a DXF plan views a drawing, and what hides parts of it.
 struct SvgSource {
   enum class Hidden {
@@ -23,8 +26,8 @@ struct SvgSource {
     kDashed,
   };
 
-  // top, front, side, axonometric or face:<id>: a sheet to scale; else the name of an image. Empty:
-  // axonometric, or top with a section.
+  // front, back, left, right, top, bottom, axonometric or face:<id>: a sheet to scale; else the
+  // name of an image. Empty: axonometric, or top with a section.
   std::string view;
   // What hides parts of the drawing: for images as in drawing_fuser, for sheets a mesh or cloud
   // given here. Without it, and if its type is "faces", the faces of the drawing.
@@ -61,6 +64,10 @@ struct SheetInput {
   std::optional<Eigen::Vector3d> up;
   // File units per world unit.
   double scale = 1;
+  // Of the file.
+  LengthUnit unit = LengthUnit::kNone;
+  // SheetOptions::front.
+  Eigen::Vector3d front = Eigen::Vector3d::UnitY();
 };
 
 // Reports what hides parts of the drawing, and what the section contains. Throws IoError;

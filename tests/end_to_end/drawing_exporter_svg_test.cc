@@ -52,7 +52,7 @@ class SvgExport : public ::testing::Test {
 };
 
 TEST_F(SvgExport, SheetsToScale) {
-  const std::string sheet = Export({"--view", "front", "--sheet_scale", "10"});
+  const std::string sheet = Export({"--view", "front", "--sheet_scale", "10", "--unit", "m"});
   EXPECT_THAT(sheet, AllOf(HasSubstr("<svg"), HasSubstr("link_0"), HasSubstr("link_1")));
   EXPECT_THAT(sheet, HasSubstr("1:10"));
   EXPECT_THAT(sheet, HasSubstr("width=\"120mm\""));  // a meter, and two margins of 10 mm

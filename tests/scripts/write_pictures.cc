@@ -81,6 +81,7 @@ void WriteSheets(const std::string& folder) {
   const DrawingGraph graph = PictureScene();
   SheetOptions options;
   options.projection = SvgProjection::kAxonometric;
+  options.unit = LengthUnit::kMeter;
   options.sheet_scale = 20;
   options.legend = false;
   const SvgSheet sheet = MakeSheet(graph, options);
@@ -131,12 +132,13 @@ void WriteGlb(const std::string& folder) {
   expected["min"] = {box.min().x(), box.min().y(), box.min().z()};
   expected["max"] = {box.max().x(), box.max().y(), box.max().z()};
   GlbOptions options;
+  options.objects = GlbObjects::kLink;
   for (int k = 0; k < 100; ++k) {
     options.cloud.push_back({kGlbShift + 0.01 * k * Eigen::Vector3d::Ones(), {255, 128, 0}});
   }
   expected["cloud"] = options.cloud.size();
   std::ofstream glb(folder + "/drawing.glb", std::ios::binary);
-  WriteDrawingGlb(graph, options, glb);
+  WriteDrawingGlb(graph, options, LengthUnit::kNone, glb);
   std::ofstream(folder + "/drawing.json") << expected;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Eigenvalues>
 
@@ -17,6 +18,8 @@ constexpr double kWeightOfDown = 0.1;
 // those of drones do, in any heading.
 constexpr double kMinMeanDown = 0.3;
 constexpr int kMedianRounds = 50;
+// Of the angle between directions that are much the same.
+constexpr double kCosOfSame = std::numbers::sqrt2 / 2;
 
 Eigen::Vector3d DownInCam(const ViewPrior& prior) {
   return prior.gravity_in_cam ? prior.gravity_in_cam->normalized() : Eigen::Vector3d::UnitY();
@@ -93,6 +96,25 @@ Eigen::Vector3d UpOfCameras(const std::vector<View>& views, const std::vector<Vi
   const Eigen::Vector3d least =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(horizontal).eigenvectors().col(0);
   return least.dot(up) < 0 ? -least : least;
+}
+
+Eigen::Vector3d MainViewDirection(const std::vector<View>& views) {
+  Eigen::Matrix3Xd directions(3, views.size());
+  for (size_t v = 0; v < views.size(); ++v) {
+    directions.col(static_cast<Eigen::Index>(v)) =
+        views[v].cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ();
+  }
+  const auto alike = [&](Eigen::Index v) {
+    return (directions.transpose() * directions.col(v)).array() > kCosOfSame;
+  };
+  Eigen::Index best = 0, most = 0;
+  for (Eigen::Index v = 0; v < directions.cols(); ++v) {
+    const Eigen::Index count = alike(v).count();
+    if (count > most) best = v;
+    most = std::max(most, count);
+  }
+  const Eigen::VectorXd weights = alike(best).cast<double>();
+  return (directions * weights).normalized();
 }
 
 }  // namespace limn

@@ -52,4 +52,8 @@ Eigen::Vector3d UpAsHeld(const View& view, const ViewPrior& prior);
 // if these cancel, the cameras look down.
 Eigen::Vector3d UpOfCameras(const std::vector<View>& views, const std::vector<ViewPrior>& priors);
 
+// The direction along which most cameras look: that which has most within 45 degrees, then the mean
+// of these. Precondition: there are cameras. Time: the square of their number.
+Eigen::Vector3d MainViewDirection(const std::vector<View>& views);
+
 }  // namespace limn

@@ -31,8 +31,6 @@ int DecimalsOf(LengthUnit unit, double length) {
   return std::clamp(kDigits - 1 - static_cast<int>(std::floor(std::log10(length))), 0, 15);
 }
 
-constexpr const char* kUnitNames[] = {"", " mm", " cm", " m", " in", " ft"};  // by LengthUnit
-
 }  // namespace
 
 DimensionLines LinesOf(const DrawingDimension& dimension) {
@@ -56,7 +54,8 @@ DimensionLines LinesOf(const DrawingDimension& dimension) {
 
 std::string DimensionText::Of(double length) const {
   const double value = per_unit * length;
-  return RoundedText(value, DecimalsOf(unit, value)) + kUnitNames[static_cast<int>(unit)];
+  const std::string number = RoundedText(value, DecimalsOf(unit, value));
+  return unit == LengthUnit::kNone ? number : number + ' ' + UnitName(unit);
 }
 
 }  // namespace limn

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <ostream>
 #include <string>
@@ -18,6 +19,7 @@
 #include <tiny_gltf.h>
 
 #include "limn/formats/face_mesh.h"
+#include "limn/formats/link_kind.h"
 #include "limn/formats/tube_mesh.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/drawing_paths.h"
@@ -33,6 +35,7 @@ using Value = tinygltf::Value;
 constexpr size_t kPositionBytes = 3 * sizeof(float);
 constexpr size_t kNormalBytes = 3 * sizeof(float);
 constexpr size_t kColorBytes = 4 * sizeof(uint16_t);
+constexpr size_t kLinkBytes = sizeof(float);
 constexpr size_t kIndexBytes = sizeof(uint32_t);
 // Room for the JSON beside the buffer in a file of at most 4 GB.
 constexpr size_t kMaxBufferBytes = 3'500'000'000;
@@ -118,6 +121,21 @@ class SceneBuilder {
     AddMesh(name, primitive, std::move(extras));
   }
 
+  // The vertices since the last child, each of which is of a link, joined in pairs by `segments`.
+  void AddLines(const std::string& name, const std::vector<uint32_t>& segments,
+                const std::vector<LinkId>& links, Value::Object extras) {
+    const size_t count = links.size();
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_LINE;
+    primitive.material = kCurves;
+    primitive.attributes["POSITION"] = AddPositions(count);
+    primitive.attributes["COLOR_0"] = AddColors(count);
+    primitive.attributes["_LINK"] = AddLinkIds(links);
+    primitive.indices = AddIndices(segments);
+    first_vertex_ += count;
+    AddMesh(name, primitive, std::move(extras));
+  }
+
   // Triangles; after all children with colors.
   void AddTriangles(const std::string& name, const Triangles& surface, const std::string& material,
                     Value::Object extras) {
@@ -150,7 +168,7 @@ class SceneBuilder {
  private:
   static constexpr int kCurves = 0;  // the material
   // Accessors name their buffer views by these until the views are made.
-  enum ViewKind { kPositions, kColors, kIndices, kNormals };
+  enum ViewKind { kPositions, kColors, kIndices, kNormals, kLinkIds };
 
   // The material's index.
   int MattMaterialNamed(const std::string& name) {
@@ -183,7 +201,7 @@ class SceneBuilder {
   }
 
   size_t NumBytes() const {
-    return sizeof(float) * (positions_.size() + normals_.size()) +
+    return sizeof(float) * (positions_.size() + normals_.size() + link_ids_.size()) +
            sizeof(uint16_t) * colors_.size() + kIndexBytes * indices_.size();
   }
 
@@ -220,6 +238,17 @@ class SceneBuilder {
     accessor.normalized = true;
     accessor.type = TINYGLTF_TYPE_VEC4;
     accessor.count = count;
+    return AddAccessor(accessor);
+  }
+
+  int AddLinkIds(const std::vector<LinkId>& links) {
+    tinygltf::Accessor accessor;
+    accessor.bufferView = kLinkIds;
+    accessor.byteOffset = kLinkBytes * link_ids_.size();
+    accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;  // glTF has no attributes of integers
+    accessor.type = TINYGLTF_TYPE_SCALAR;
+    accessor.count = links.size();
+    link_ids_.insert(link_ids_.end(), links.begin(), links.end());
     return AddAccessor(accessor);
   }
 
@@ -278,7 +307,8 @@ class SceneBuilder {
     const int index_of[] = {AddView(positions_, TINYGLTF_TARGET_ARRAY_BUFFER, kPositionBytes),
                             AddView(colors_, TINYGLTF_TARGET_ARRAY_BUFFER, kColorBytes),
                             AddView(indices_, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, 0),
-                            AddView(normals_, TINYGLTF_TARGET_ARRAY_BUFFER, kNormalBytes)};
+                            AddView(normals_, TINYGLTF_TARGET_ARRAY_BUFFER, kNormalBytes),
+                            AddView(link_ids_, TINYGLTF_TARGET_ARRAY_BUFFER, kLinkBytes)};
     for (tinygltf::Accessor& accessor : model_.accessors) {
       accessor.bufferView = index_of[accessor.bufferView];
     }
@@ -289,6 +319,7 @@ class SceneBuilder {
   std::vector<float> positions_;
   std::vector<uint16_t> colors_;
   std::vector<float> normals_;
+  std::vector<float> link_ids_;
   std::vector<uint32_t> indices_;
   size_t first_vertex_ = 0;
 };
@@ -313,10 +344,51 @@ Value::Object ExtrasOf(const DrawingLink& link, LinkId id, LinkId curve) {
   return extras;
 }
 
+// A closed link repeats its first.
+size_t NumDistinctPoints(const DrawingLink& link) {
+  return link.points_in_world.size() - (link.closed ? 1 : 0);
+}
+
 void AddLink(const DrawingLink& link, LinkId id, LinkId curve, SceneBuilder* scene) {
-  const size_t count = link.points_in_world.size() - (link.closed ? 1 : 0);
+  const size_t count = NumDistinctPoints(link);
   for (size_t i = 0; i < count; ++i) scene->AddVertex(link.points_in_world[i], ColorOfCurve(curve));
   scene->AddChild(NodeNameOf(id), TINYGLTF_MODE_LINE_STRIP, link.closed, ExtrasOf(link, id, curve));
+}
+
+// The name of the object that has a link if each kind is one.
+std::string KindObject(const DrawingLink& link) {
+  return link.tentative ? "tentative" : LinkKindName(link.kind);
+}
+
+void AddKind(const DrawingGraph& graph, const std::string& name, const std::vector<LinkId>& ids,
+             const std::vector<LinkId>& curves, SceneBuilder* scene) {
+  std::vector<uint32_t> segments;
+  std::vector<LinkId> link_of_vertex;
+  double length = 0;
+  for (const LinkId id : ids) {
+    const DrawingLink& link = graph.links[id];
+    const auto first = static_cast<uint32_t>(link_of_vertex.size());
+    const auto count = static_cast<uint32_t>(NumDistinctPoints(link));
+    for (uint32_t i = 0; i < count; ++i) {
+      scene->AddVertex(link.points_in_world[i], ColorOfCurve(curves[id]));
+      if (i + 1 < count || link.closed) {
+        segments.insert(segments.end(), {first + i, first + (i + 1) % count});
+      }
+    }
+    link_of_vertex.insert(link_of_vertex.end(), count, id);
+    length += Length(link.points_in_world);
+  }
+  scene->AddLines(name, segments, link_of_vertex,
+                  {{"kind", Value(name)},
+                   {"links", Value(static_cast<int>(ids.size()))},
+                   {"length", Value(length)}});
+}
+
+void AddKinds(const DrawingGraph& graph, const std::vector<LinkId>& links,
+              const std::vector<LinkId>& curves, SceneBuilder* scene) {
+  std::map<std::string, std::vector<LinkId>> kinds;
+  for (const LinkId id : links) kinds[KindObject(graph.links[id])].push_back(id);
+  for (const auto& [name, ids] : kinds) AddKind(graph, name, ids, curves, scene);
 }
 
 void AddTube(const DrawingLink& link, LinkId id, LinkId curve, SceneBuilder* scene) {
@@ -351,26 +423,40 @@ void AddFaces(const DrawingGraph& graph, SceneBuilder* scene) {
   }
 }
 
-}  // namespace
-
-void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out) {
+void WriteInMeters(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out) {
   SceneBuilder scene(MiddleOf(graph));
   const std::vector<LinkId> curves = CurvesOf(graph);
-  const auto num_links = static_cast<LinkId>(graph.links.size());
-  const auto is_tube = [&](LinkId id) {
-    return options.rods_as_tubes && graph.links[id].kind == LinkKind::kRod;
-  };
-  for (LinkId id = 0; id < num_links; ++id) {
-    if (!is_tube(id)) AddLink(graph.links[id], id, curves[id], &scene);
+  std::vector<LinkId> lines, tubes;
+  for (LinkId id = 0; id < static_cast<LinkId>(graph.links.size()); ++id) {
+    const bool is_tube = options.rods_as_tubes && graph.links[id].kind == LinkKind::kRod;
+    (is_tube ? tubes : lines).push_back(id);
+  }
+  if (options.objects == GlbObjects::kKind) {
+    AddKinds(graph, lines, curves, &scene);
+  } else {
+    for (const LinkId id : lines) AddLink(graph.links[id], id, curves[id], &scene);
   }
   if (options.junctions) AddJunctions(graph, &scene);
   for (const GlbPoint& point : options.cloud) scene.AddVertex(point.position, point.color);
   if (!options.cloud.empty()) scene.AddChild("cloud", TINYGLTF_MODE_POINTS, false, {});
-  for (LinkId id = 0; id < num_links; ++id) {
-    if (is_tube(id)) AddTube(graph.links[id], id, curves[id], &scene);
-  }
+  for (const LinkId id : tubes) AddTube(graph.links[id], id, curves[id], &scene);
   AddFaces(graph, &scene);
   scene.Write(out);
+}
+
+}  // namespace
+
+void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, LengthUnit unit,
+                     std::ostream& out) {
+  if (unit == LengthUnit::kNone || unit == LengthUnit::kMeter) {
+    WriteInMeters(graph, options, out);
+    return;
+  }
+  const double meters = Millimeters(unit) / 1000;
+  GlbOptions in_meters = options;
+  for (GlbPoint& point : in_meters.cloud) point.position *= meters;
+  WriteInMeters(Transformed(graph, meters, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()),
+                in_meters, out);
 }
 
 }  // namespace limn

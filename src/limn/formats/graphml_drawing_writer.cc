@@ -16,14 +16,23 @@ struct Attribute {
 };
 
 constexpr Attribute kAttributes[] = {
-    {"node", "x", "double"},          {"node", "y", "double"},
-    {"node", "z", "double"},          {"node", "kind", "string"},
-    {"node", "degree", "int"},        {"edge", "link", "int"},
-    {"edge", "length", "double"},     {"edge", "points", "int"},
-    {"edge", "views", "int"},         {"edge", "residual_px", "double"},
-    {"edge", "primitive", "string"},  {"edge", "class", "string"},
-    {"edge", "edge_kind", "string"},  {"edge", "kind_confidence", "double"},
-    {"edge", "tentative", "boolean"}, {"edge", "rod_radius", "double"},
+    {"graph", "unit", "string"},
+    {"node", "x", "double"},
+    {"node", "y", "double"},
+    {"node", "z", "double"},
+    {"node", "kind", "string"},
+    {"node", "degree", "int"},
+    {"edge", "link", "int"},
+    {"edge", "length", "double"},
+    {"edge", "points", "int"},
+    {"edge", "views", "int"},
+    {"edge", "residual_px", "double"},
+    {"edge", "primitive", "string"},
+    {"edge", "class", "string"},
+    {"edge", "edge_kind", "string"},
+    {"edge", "kind_confidence", "double"},
+    {"edge", "tentative", "boolean"},
+    {"edge", "rod_radius", "double"},
 };
 
 void PutHead(std::ostream& out) {
@@ -72,9 +81,13 @@ void PutLink(const DrawingLink& link, size_t id, std::ostream& out) {
 
 }  // namespace
 
-void WriteDrawingGraphml(const DrawingGraph& graph, std::ostream& out) {
+void WriteDrawingGraphml(const DrawingGraph& graph, LengthUnit unit, std::ostream& out) {
   PutHead(out);
   out << "<graph id=\"drawing\" edgedefault=\"undirected\">\n";
+  if (unit != LengthUnit::kNone) {
+    Put("unit", UnitName(unit), out);
+    out << '\n';
+  }
   for (size_t id = 0; id < graph.nodes.size(); ++id) PutNode(graph.nodes[id], id, out);
   for (size_t id = 0; id < graph.links.size(); ++id) PutLink(graph.links[id], id, out);
   out << "</graph>\n</graphml>\n";

@@ -3,6 +3,7 @@
 #include <iosfwd>
 
 #include "limn/model/drawing_graph.h"
+#include "limn/util/length_unit.h"
 
 namespace limn {
 
@@ -10,7 +11,7 @@ namespace limn {
 // and degree; an edge "l<id>" per link with link (its id), length (of its points), points (how
 // many), primitive ("line", "arc", "circle", "spline", or "polyline" where it has none), views (how
 // many support it), residual_px and class (DenseClass, "unknown" before drawing_fuser). Closed
-// links are loops, parallel links parallel edges.
-void WriteDrawingGraphml(const DrawingGraph& graph, std::ostream& out);
+// links are loops, parallel links parallel edges. The graph has the unit if it is known.
+void WriteDrawingGraphml(const DrawingGraph& graph, LengthUnit unit, std::ostream& out);
 
 }  // namespace limn

@@ -1,5 +1,6 @@
 #include "limn/formats/json_drawing_reader.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -53,6 +54,12 @@ Alignment ToAlignment(const JsonValue& value) {
     value.At("unit").Fail("not \"" + std::string(alignment.Unit()) + "\"");
   }
   return alignment;
+}
+
+Eigen::Vector3d ToDirection(const JsonValue& value) {
+  const Eigen::Vector3d direction = PlaceOf(value);
+  if (!(std::abs(direction.norm() - 1) < 1e-6)) value.Fail("a unit vector expected");
+  return direction;
 }
 
 LinkEnd ToLinkEnd(const JsonValue& value) {
@@ -299,6 +306,9 @@ class DrawingReader {
     options.ItemsOf("edits");  // later edits are added to them
     metadata.options_json = options.Json().dump();
     metadata.refined_cameras = root.TextOr(kRefinedCameras, "");
+    if (const auto direction = root.Find("main_view_direction")) {
+      metadata.main_view_direction = ToDirection(*direction);
+    }
     if (const auto alignment = root.Find("world_from_model")) {
       metadata.alignment = ToAlignment(*alignment);
     }

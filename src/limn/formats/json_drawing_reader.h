@@ -17,6 +17,8 @@ struct DrawingMetadata {
   std::string options_json = "{}";
   // Where the drawing is in the world, if it was aligned. The graph is in the model's coordinates.
   std::optional<Alignment> alignment = std::nullopt;
+  // Unit vector in the model: along which most of the cameras look. None if that is unknown.
+  std::optional<Eigen::Vector3d> main_view_direction = std::nullopt;
   // Names refined cameras that the drawing fits; empty if it fits those that were given.
   std::string refined_cameras = "";
 };

@@ -206,6 +206,9 @@ void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata
   if (metadata.alignment) {
     out << "\"world_from_model\": " << ToJson(*metadata.alignment).dump() << ",\n";
   }
+  if (metadata.main_view_direction) {
+    out << "\"main_view_direction\": " << ToJson(*metadata.main_view_direction).dump() << ",\n";
+  }
   if (!graph.regularities.IsEmpty()) {
     out << "\"regularities\": " << ToJson(graph.regularities).dump() << ",\n";
   }

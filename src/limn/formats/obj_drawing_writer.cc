@@ -11,9 +11,12 @@ namespace limn {
 namespace {
 
 // A vertex ("v") or a normal ("vn").
-void PutVector(const char* keyword, const Eigen::Vector3d& point, std::ostream& out) {
+void PutVector(const char* keyword, const Eigen::Vector3d& vector, const ObjOptions& options,
+               std::ostream& out) {
+  const Eigen::Vector3d turned =
+      options.y_up ? Eigen::Vector3d(vector.x(), vector.z(), -vector.y()) : vector;
   out << keyword;
-  for (int axis = 0; axis < 3; ++axis) out << ' ' << NumberText(point[axis]);
+  for (int axis = 0; axis < 3; ++axis) out << ' ' << NumberText(turned[axis]);
   out << '\n';
 }
 
@@ -28,13 +31,14 @@ void PutLines(const std::vector<size_t>& vertices, const ObjOptions& options, st
 }
 
 // Faces after `num_vertices` other vertices. Vertices and normals are counted from 1.
-void PutFaces(const std::vector<DrawingFace>& faces, size_t num_vertices, std::ostream& out) {
+void PutFaces(const std::vector<DrawingFace>& faces, size_t num_vertices, const ObjOptions& options,
+              std::ostream& out) {
   size_t first_vertex = num_vertices + 1, first_normal = 1;
   for (size_t id = 0; id < faces.size(); ++id) {
     const DrawingFace& face = faces[id];
     out << "o face_" << id << "\ng " << FaceSurfaceName(face.surface) << '\n';
-    for (const Eigen::Vector3d& vertex : face.vertices) PutVector("v", vertex, out);
-    for (const Eigen::Vector3d& normal : VertexNormals(face)) PutVector("vn", normal, out);
+    for (const Eigen::Vector3d& vertex : face.vertices) PutVector("v", vertex, options, out);
+    for (const Eigen::Vector3d& normal : VertexNormals(face)) PutVector("vn", normal, options, out);
     for (const auto& triangle : face.triangles) {
       out << 'f';
       for (const int corner : triangle) {
@@ -49,9 +53,11 @@ void PutFaces(const std::vector<DrawingFace>& faces, size_t num_vertices, std::o
 
 }  // namespace
 
-void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, std::ostream& out) {
+void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, LengthUnit unit,
+                     std::ostream& out) {
   out << "# 3D drawing by limn: the first " << graph.nodes.size() << " vertices are its nodes\n";
-  for (const DrawingNode& node : graph.nodes) PutVector("v", node.position_in_world, out);
+  if (unit != LengthUnit::kNone) out << "# unit: " << UnitName(unit) << '\n';
+  for (const DrawingNode& node : graph.nodes) PutVector("v", node.position_in_world, options, out);
   const bool has_kinds = HasKinds(graph);
   size_t num_vertices = graph.nodes.size();
   for (size_t id = 0; id < graph.links.size(); ++id) {
@@ -61,13 +67,13 @@ void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, std::
     if (link.kind == LinkKind::kRod) out << "# rod_radius " << NumberText(link.rod_radius) << '\n';
     std::vector<size_t> vertices = {static_cast<size_t>(link.node0) + 1};
     for (size_t i = 1; i + 1 < link.points_in_world.size(); ++i) {
-      PutVector("v", link.points_in_world[i], out);
+      PutVector("v", link.points_in_world[i], options, out);
       vertices.push_back(++num_vertices);
     }
     vertices.push_back(static_cast<size_t>(link.node1) + 1);
     PutLines(vertices, options, out);
   }
-  PutFaces(graph.faces, num_vertices, out);
+  PutFaces(graph.faces, num_vertices, options, out);
 }
 
 }  // namespace limn

@@ -76,7 +76,7 @@ void PutEdges(const DrawingGraph& graph, std::ostream& out) {
 
 }  // namespace
 
-void WriteDrawingPly(const DrawingGraph& graph, std::ostream& out) {
+void WriteDrawingPly(const DrawingGraph& graph, LengthUnit unit, std::ostream& out) {
   size_t num_vertices = graph.nodes.size();
   size_t num_edges = 0;
   for (const DrawingLink& link : graph.links) {
@@ -84,8 +84,8 @@ void WriteDrawingPly(const DrawingGraph& graph, std::ostream& out) {
     num_edges += NumInnerPoints(link) + 1;
   }
   out << "ply\nformat binary_little_endian 1.0\n"
-         "comment 3D drawing by limn: edges of one link have its colour and id\n"
-      << "element vertex " << num_vertices << '\n'
+         "comment 3D drawing by limn: edges of one link have its color and id\n"
+      << UnitComment(unit) << "element vertex " << num_vertices << '\n'
       << "property double x\nproperty double y\nproperty double z\n"
          "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double sigma\n"
       << "element edge " << num_edges << '\n'

@@ -21,7 +21,7 @@ void PutFaceVertices(const DrawingFace& face, std::ostream& out) {
 
 }  // namespace
 
-void WriteFacesPly(const DrawingGraph& graph, std::ostream& out) {
+void WriteFacesPly(const DrawingGraph& graph, LengthUnit unit, std::ostream& out) {
   size_t num_vertices = 0, num_triangles = 0;
   for (const DrawingFace& face : graph.faces) {
     num_vertices += face.vertices.size();
@@ -33,7 +33,7 @@ void WriteFacesPly(const DrawingGraph& graph, std::ostream& out) {
   }
   out << "ply\nformat binary_little_endian 1.0\n"
          "comment 3D drawing by limn: its faces, each with its id, in triangles\n"
-      << "element vertex " << num_vertices << '\n'
+      << UnitComment(unit) << "element vertex " << num_vertices << '\n'
       << "property double x\nproperty double y\nproperty double z\n"
          "property float nx\nproperty float ny\nproperty float nz\n"
       << "element face " << num_triangles << '\n'

@@ -3,6 +3,7 @@
 #include <iosfwd>
 
 #include "limn/model/drawing_graph.h"
+#include "limn/util/length_unit.h"
 
 namespace limn {
 
@@ -10,6 +11,6 @@ namespace limn {
 // float nx ny nz; faces share none), element face (list uchar int vertex_indices, int face: its id
 // in the drawing), triangles counterclockwise seen from the visible side. Throws InputError if
 // there are no triangles, or more vertices than an int can count.
-void WriteFacesPly(const DrawingGraph& graph, std::ostream& out);
+void WriteFacesPly(const DrawingGraph& graph, LengthUnit unit, std::ostream& out);
 
 }  // namespace limn

@@ -3,8 +3,10 @@
 #include <bit>
 #include <cstring>
 #include <ostream>
+#include <string>
 
 #include "limn/formats/colors.h"
+#include "limn/util/length_unit.h"
 
 namespace limn {
 
@@ -15,6 +17,11 @@ void PutLittleEndian(std::ostream& out, T value) {
   char bytes[sizeof(T)];
   std::memcpy(bytes, &value, sizeof(T));
   out.write(bytes, sizeof(T));
+}
+
+// A line of the header; empty for kNone.
+inline std::string UnitComment(LengthUnit unit) {
+  return unit == LengthUnit::kNone ? "" : std::string("comment unit: ") + UnitName(unit) + '\n';
 }
 
 inline void PutColor(std::ostream& out, const Color& color) {

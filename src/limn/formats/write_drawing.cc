@@ -51,6 +51,10 @@ std::string NoteOn(const std::vector<int>& ids, size_t count, const std::string&
 }
 
 void WriteStep(const Job& job, std::ostream& out) {
+  if (job.options.unit == LengthUnit::kNone) {
+    job.left_out->push_back(
+        "the unit of the drawing is not known: in the file one is a millimeter");
+  }
   const size_t num_faces = job.graph.faces.size();
   const StepNotes notes = WriteDrawingStep(job.graph, job.options.step, job.options.unit, out);
   if (!notes.apart.empty()) {
@@ -77,12 +81,18 @@ void WriteStep(const Job& job, std::ostream& out) {
 const std::vector<Format>& Formats() {
   using Out = std::ostream;
   static const std::vector<Format> formats = {
-      {"ply", {".ply"}, [](const Job& job, Out& out) { WriteDrawingPly(job.graph, out); }},
+      {"ply",
+       {".ply"},
+       [](const Job& job, Out& out) { WriteDrawingPly(job.graph, job.options.unit, out); }},
       // Only by its name: a .ply file is the curves.
-      {"faces", {}, [](const Job& job, Out& out) { WriteFacesPly(job.graph, out); }},
+      {"faces",
+       {},
+       [](const Job& job, Out& out) { WriteFacesPly(job.graph, job.options.unit, out); }},
       {"obj",
        {".obj"},
-       [](const Job& job, Out& out) { WriteDrawingObj(job.graph, job.options.obj, out); }},
+       [](const Job& job, Out& out) {
+         WriteDrawingObj(job.graph, job.options.obj, job.options.unit, out);
+       }},
       {"json",
        {".json"},
        [](const Job& job, Out& out) { WriteDrawingJson(job.graph, job.metadata, out); }},
@@ -93,11 +103,13 @@ const std::vector<Format>& Formats() {
        }},
       {"glb",
        {".glb"},
-       [](const Job& job, Out& out) { WriteDrawingGlb(job.graph, job.options.glb, out); }},
+       [](const Job& job, Out& out) {
+         WriteDrawingGlb(job.graph, job.options.glb, job.options.unit, out);
+       }},
       {"svg", {".svg"}, [](const Job& job, Out& out) { WriteSvg(job, out); }},
       {"graphml",
        {".graphml"},
-       [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, out); }},
+       [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, job.options.unit, out); }},
 #ifdef LIMN_WITH_STEP
       {"step", {".step", ".stp"}, [](const Job& job, Out& out) { WriteStep(job, out); }},
 #endif

@@ -38,7 +38,8 @@ struct DrawingFormatOptions {
   GlbOptions glb;
   StepOptions step;
   SvgPicture svg;
-  // Unit of the coordinates, for formats that store it (DXF, STEP).
+  // Of the coordinates: formats that have a unit of their own are converted to it (STEP, GLB),
+  // others tell it.
   LengthUnit unit = LengthUnit::kNone;
 };
 

@@ -5,6 +5,12 @@ namespace limn {
 // A unit of lengths. Models themselves have none.
 enum class LengthUnit { kNone, kMillimeter, kCentimeter, kMeter, kInch, kFoot };
 
+// "mm", "cm", "m", "in", "ft"; empty for kNone.
+inline const char* UnitName(LengthUnit unit) {
+  constexpr const char* kNames[] = {"", "mm", "cm", "m", "in", "ft"};
+  return kNames[static_cast<int>(unit)];
+}
+
 // 1 for kNone.
 inline double Millimeters(LengthUnit unit) {
   constexpr double kMillimeters[] = {1, 1, 10, 1000, 25.4, 304.8};

@@ -55,6 +55,16 @@ TEST(CameraHints, CamerasThatLookStraightDownTellUp) {
   }
 }
 
+TEST(CameraHints, TheMainViewDirectionIsThatOfMost) {
+  std::vector<View> views;
+  for (int i = 0; i < 4; ++i) views.push_back(testing::LookAt({3, 0.2 * i - 0.3, 1}, {0, 0, 0}));
+  for (int i = 0; i < 7; ++i) views.push_back(testing::LookAt({0.2 * i - 0.6, -3, 0}, {0, 0, 0}));
+  EXPECT_LT(AngleDeg(MainViewDirection(views), Eigen::Vector3d::UnitY()), 2);
+  // Nearly as many behind them do not change it.
+  for (int i = 0; i < 6; ++i) views.push_back(testing::LookAt({0.2 * i - 0.6, 3, 0}, {0, 0, 0}));
+  EXPECT_LT(AngleDeg(MainViewDirection(views), Eigen::Vector3d::UnitY()), 2);
+}
+
 TEST(CameraHints, QuarterTurnsOfPhotographsAreKnown) {
   std::vector<View> views = testing::DomeViews(12, 5);
   std::vector<ViewPrior> priors(views.size());

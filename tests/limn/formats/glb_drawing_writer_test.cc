@@ -1,6 +1,7 @@
 #include "limn/formats/glb_drawing_writer.h"
 
 #include <cstring>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -10,6 +11,7 @@
 
 #include "limn/formats/small_drawing.h"
 #include "limn/formats/tube_mesh.h"
+#include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
 #include "support/face_drawing.h"
 
@@ -49,9 +51,15 @@ Glb Parse(const std::string& bytes) {
   return glb;
 }
 
-Glb WrittenGlb(const DrawingGraph& graph, const GlbOptions& options = {}) {
+GlbOptions LinksAsObjects() {
+  GlbOptions options;
+  options.objects = GlbObjects::kLink;
+  return options;
+}
+
+Glb WrittenGlb(const DrawingGraph& graph, const GlbOptions& options = LinksAsObjects()) {
   std::ostringstream out;
-  WriteDrawingGlb(graph, options, out);
+  WriteDrawingGlb(graph, options, LengthUnit::kNone, out);
   return Parse(out.str());
 }
 
@@ -115,16 +123,64 @@ TEST(WriteDrawingGlb, EveryLinkIsAStripOfItsOwn) {
   }
 }
 
-TEST(WriteDrawingGlb, AClosedLinkReturnsToItsFirstVertex) {
-  const Glb glb = WrittenGlb(SmallDrawing());
-  EXPECT_FALSE(PrimitiveOf(glb, "link_0").contains("indices"));
-  const Json& accessor = glb.json["accessors"][PrimitiveOf(glb, "link_3")["indices"].get<int>()];
+std::vector<uint32_t> IndicesOf(const Glb& glb, const std::string& name) {
+  const Json& accessor = glb.json["accessors"][PrimitiveOf(glb, name)["indices"].get<int>()];
   EXPECT_EQ(accessor["componentType"], 5125);
   std::vector<uint32_t> indices(accessor["count"].get<size_t>());
   for (size_t i = 0; i < indices.size(); ++i) {
     std::memcpy(&indices[i], Element(glb, accessor, i, 4), 4);
   }
-  EXPECT_THAT(indices, ::testing::ElementsAre(0, 1, 2, 3, 0));
+  return indices;
+}
+
+// What the segments of an object say: per link their lengths in total.
+std::map<int, double> LengthsByLink(const Glb& glb, const std::string& name) {
+  const Json& accessor =
+      glb.json["accessors"][PrimitiveOf(glb, name)["attributes"]["_LINK"].get<int>()];
+  EXPECT_EQ(accessor["type"], "SCALAR");
+  const std::vector<Eigen::Vector3d> points = PointsOf(glb, name);
+  const std::vector<uint32_t> indices = IndicesOf(glb, name);
+  EXPECT_EQ(accessor["count"], points.size());
+  std::map<int, double> lengths;
+  for (size_t i = 0; i + 1 < indices.size(); i += 2) {
+    float ids[2];
+    for (int end = 0; end < 2; ++end) {
+      std::memcpy(&ids[end], Element(glb, accessor, indices[i + end], 4), 4);
+    }
+    EXPECT_EQ(ids[0], ids[1]);
+    lengths[static_cast<int>(ids[0])] += (points[indices[i + 1]] - points[indices[i]]).norm();
+  }
+  return lengths;
+}
+
+TEST(WriteDrawingGlb, EveryKindIsAnObject) {
+  DrawingGraph graph = SmallDrawing();
+  ASSERT_GE(graph.links.size(), 4u);
+  for (DrawingLink& link : graph.links) link.kind = LinkKind::kPaint;
+  graph.links[1].kind = LinkKind::kEdge;
+  graph.links[2].tentative = true;
+  const Glb glb = WrittenGlb(graph, {});
+  std::map<int, double> lengths;
+  for (const char* name : {"paint", "edge", "tentative"}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(PrimitiveOf(glb, name)["mode"], 1);
+    const std::map<int, double> of_kind = LengthsByLink(glb, name);
+    EXPECT_EQ(NodeNamed(glb, name)["extras"]["links"], of_kind.size());
+    lengths.insert(of_kind.begin(), of_kind.end());
+  }
+  EXPECT_EQ(LengthsByLink(glb, "edge").count(1), 1u);
+  EXPECT_EQ(LengthsByLink(glb, "tentative").count(2), 1u);
+  EXPECT_EQ(glb.json["nodes"].size(), 5u);  // and the drawing and its junctions
+  ASSERT_EQ(lengths.size(), graph.links.size());
+  for (const auto& [id, length] : lengths) {
+    EXPECT_NEAR(length, Length(graph.links[id].points_in_world), 1e-5) << id;
+  }
+}
+
+TEST(WriteDrawingGlb, AClosedLinkReturnsToItsFirstVertex) {
+  const Glb glb = WrittenGlb(SmallDrawing());
+  EXPECT_FALSE(PrimitiveOf(glb, "link_0").contains("indices"));
+  EXPECT_THAT(IndicesOf(glb, "link_3"), ::testing::ElementsAre(0, 1, 2, 3, 0));
 }
 
 TEST(WriteDrawingGlb, JunctionsAndCloudArePoints) {
@@ -212,7 +268,7 @@ std::vector<float> FloatsOf(const Glb& glb, const Json& accessor) {
 TEST(WriteDrawingGlb, FacesAreTrianglesWithNormals) {
   const DrawingGraph graph = testing::HalfCylinderSide();
   const DrawingFace& face = graph.faces[0];
-  GlbOptions options;
+  GlbOptions options = LinksAsObjects();
   options.cloud = {{{1, 2, 3}, {255, 0, 188}}};
   const Glb glb = WrittenGlb(graph, options);
   const Json& primitive = PrimitiveOf(glb, "face_0");
@@ -247,7 +303,7 @@ TEST(WriteDrawingGlb, RodsCanBeTubes) {
   DrawingGraph graph = testing::HalfCylinderSide();
   graph.links[0].kind = LinkKind::kRod;
   graph.links[0].rod_radius = 0.125;
-  GlbOptions options;
+  GlbOptions options = LinksAsObjects();
   options.rods_as_tubes = true;
   options.cloud = {{{1, 2, 3}, {255, 0, 188}}};
   const Glb glb = WrittenGlb(graph, options);
@@ -281,7 +337,7 @@ TEST(WriteDrawingGlb, RefusesCoordinatesBeyondFloat) {
   GlbOptions options;
   options.cloud = {{{1e40, 0, 0}, {}}};
   std::ostringstream out;
-  EXPECT_THROW(WriteDrawingGlb(SmallDrawing(), options, out), InputError);
+  EXPECT_THROW(WriteDrawingGlb(SmallDrawing(), options, LengthUnit::kNone, out), InputError);
 }
 
 TEST(WriteDrawingGlb, AnEmptyDrawingIsAFileToo) {

@@ -17,6 +17,7 @@
 #include "limn/formats/read_curves.h"
 #include "limn/formats/small_drawing.h"
 #include "limn/formats/temporary_folder.h"
+#include "limn/model/drawing_transform.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -64,6 +65,28 @@ TEST(WriteDrawing, ObjOfSegmentsHasTwoVerticesPerElement) {
   }
   EXPECT_EQ(num_segments, 2u + 3u + 1u + 4u);
   ExpectSamePolylines(ReadCurves(folder.Path("d.obj")), graph);
+}
+
+TEST(WriteDrawing, ObjWithYUpIsTurnedBackByAQuarter) {
+  const TemporaryFolder folder;
+  const DrawingGraph graph = SmallDrawing();
+  DrawingFormatOptions options;
+  options.obj.y_up = true;
+  WriteDrawing(folder.Path("d.obj"), graph, SmallMetadata(), options);
+  const Eigen::Matrix3d y_up_from_z_up =
+      Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  const Eigen::Matrix3d exact = y_up_from_z_up.array().round();
+  ExpectSamePolylines(ReadCurves(folder.Path("d.obj")),
+                      Transformed(graph, 1, exact, Eigen::Vector3d::Zero()));
+}
+
+TEST(WriteDrawing, TheMainViewDirectionIsKept) {
+  const TemporaryFolder folder;
+  DrawingMetadata metadata = SmallMetadata();
+  metadata.main_view_direction = Eigen::Vector3d(0.6, 0, -0.8);
+  WriteDrawing(folder.Path("d.json"), SmallDrawing(), metadata);
+  EXPECT_EQ(ReadDrawingJson(folder.Path("d.json")).metadata.main_view_direction,
+            metadata.main_view_direction);
 }
 
 TEST(WriteDrawing, JsonKeepsTheWholeGraph) {

@@ -25,7 +25,12 @@ double RoundDown(double value) {
   return power;
 }
 
-std::string LengthText(double meters) {
+std::string LengthText(double length, LengthUnit unit) {
+  if (unit == LengthUnit::kNone) return SvgNumber(length, 6) + " model units";
+  if (unit == LengthUnit::kInch || unit == LengthUnit::kFoot) {
+    return SvgNumber(length, 3) + ' ' + UnitName(unit);
+  }
+  const double meters = length * Millimeters(unit) / 1000;
   if (meters >= 1000) return SvgNumber(meters / 1000, 3) + " km";
   if (meters >= 1) return SvgNumber(meters, 3) + " m";
   if (meters >= 0.01) return SvgNumber(100 * meters, 3) + " cm";
@@ -72,8 +77,8 @@ class LegendWriter {
     path.LineTo(end);
     path.LineTo(end + tick);
     PutPath(path);
-    PutText(start + 1.5 * tick, "start", ScaleText(sheet_.scale_denominator));
-    PutText(end + 1.5 * tick, "end", LengthText(length));
+    PutText(start + 1.5 * tick, "start", ScaleText(sheet_));
+    PutText(end + 1.5 * tick, "end", LengthText(length, sheet_.unit));
   }
 
   void PutAxes() {

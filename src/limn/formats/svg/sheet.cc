@@ -30,24 +30,30 @@ Eigen::Matrix3d Axes(const Eigen::Vector3d& right, const Eigen::Vector3d& up) {
 }
 
 Eigen::Matrix3d AxesOf(const SheetOptions& options) {
-  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
-  const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d back = options.front;
+  const Eigen::Vector3d right = back.cross(up);
   switch (options.projection) {
-    case SvgProjection::kTop:
-      return Axes(x, y);
     case SvgProjection::kFront:
-      return Axes(x, z);
-    case SvgProjection::kSide:
-      return Axes(y, z);
+      return Axes(right, up);
+    case SvgProjection::kBack:
+      return Axes(-right, up);
+    case SvgProjection::kLeft:
+      return Axes(-back, up);
+    case SvgProjection::kRight:
+      return Axes(back, up);
+    case SvgProjection::kTop:
+      return Axes(right, back);
+    case SvgProjection::kBottom:
+      return Axes(right, -back);
     case SvgProjection::kAxonometric:
       break;
   }
   const double azimuth = options.azimuth_deg * kDeg;
   const double elevation = options.elevation_deg * kDeg;
-  const Eigen::Vector3d level = std::cos(azimuth) * x + std::sin(azimuth) * y;
-  return Axes(-std::sin(azimuth) * x + std::cos(azimuth) * y,
-              std::cos(elevation) * z - std::sin(elevation) * level);
+  const Eigen::Vector3d level = std::cos(azimuth) * right + std::sin(azimuth) * back;
+  return Axes(-std::sin(azimuth) * right + std::cos(azimuth) * back,
+              std::cos(elevation) * up - std::sin(elevation) * level);
 }
 
 Eigen::AlignedBox2d BoxOf(const DrawingGraph& graph, const std::vector<Eigen::Vector3d>& places,
@@ -82,7 +88,7 @@ double FittingDenominator(const Eigen::Vector2d& extent, const SheetOptions& opt
   const double legend = options.legend ? kLegendHeightMm : 0;
   const double width = kPaperWidthMm - 2 * options.margin_mm;
   const double height = kPaperHeightMm - 2 * options.margin_mm - legend;
-  const double needed = 1000 * std::max(extent.x() / width, extent.y() / height);
+  const double needed = UnitMm(options.unit) * std::max(extent.x() / width, extent.y() / height);
   return needed > 0 ? RoundUp(needed) : 1;  // a single line that is seen from its end
 }
 
@@ -97,12 +103,17 @@ void SheetOptions::Check() const {
 
 SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options) {
   options.Check();
+  CheckOption(options.sheet_scale == 0 || options.unit != LengthUnit::kNone, "sheet_scale",
+              options.sheet_scale,
+              "0 while the unit of the drawing is not known: --unit tells it, or drawing_aligner "
+              "--known_length finds it (--aligned 1)");
   SvgSheet sheet;
   sheet.axes = options.axes ? *options.axes : AxesOf(options);
   const Eigen::AlignedBox2d box = BoxOf(graph, options.more_places, sheet.axes);
   if (box.isEmpty()) throw InputError("the drawing has no links");
   const Eigen::Vector2d extent = box.sizes();
   if (box.center().norm() > kFar * extent.norm()) sheet.origin = box.center().array().round();
+  sheet.unit = options.unit;
   sheet.scale_denominator =
       options.sheet_scale > 0 ? options.sheet_scale : FittingDenominator(extent, options);
   sheet.drawing_min = box.min() - sheet.origin;
@@ -134,9 +145,11 @@ OrthographicFrame DepthFrame(const SvgSheet& sheet) {
   return frame;
 }
 
-std::string ScaleText(double scale_denominator) {
-  const bool enlarged = scale_denominator < 1;
-  const std::string number = SvgNumber(enlarged ? 1 / scale_denominator : scale_denominator, 2);
+std::string ScaleText(const SvgSheet& sheet) {
+  if (sheet.unit == LengthUnit::kNone) return "";
+  const double n = sheet.scale_denominator;
+  const bool enlarged = n < 1;
+  const std::string number = SvgNumber(enlarged ? 1 / n : n, 2);
   return enlarged ? number + ":1" : "1:" + number;
 }
 

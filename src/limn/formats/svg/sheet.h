@@ -7,29 +7,37 @@
 #include <Eigen/Core>
 
 #include "limn/model/drawing_graph.h"
+#include "limn/util/length_unit.h"
 #include "limn/visibility/orthographic_depth.h"
 
 namespace limn {
 
-// Parallel projections of a drawing with z up.
+// Parallel projections of a drawing with z up. Those from the sides are upright.
 enum class SvgProjection {
-  kTop,          // from above: x to the right, y up
-  kFront,        // along +y: x to the right, z up
-  kSide,         // from the right, along -x: y to the right, z up
-  kAxonometric,  // from `azimuth_deg` and `elevation_deg`, z up
+  kFront,  // along SheetOptions::front
+  kBack,
+  kLeft,  // from the left of who sees the front
+  kRight,
+  kTop,          // from above, the front below
+  kBottom,       // from below, the front above
+  kAxonometric,  // from `azimuth_deg` and `elevation_deg`
 };
 
 struct SheetOptions {
   SvgProjection projection = SvgProjection::kTop;
+  // Unit vector, horizontal: along which who sees the front looks.
+  Eigen::Vector3d front = Eigen::Vector3d::UnitY();
   // Unit rows right, down and forward of another projection, instead of these.
   std::optional<Eigen::Matrix3d> axes;
-  // Viewpoint of an axonometric projection: its direction about z, from +x toward +y, and above the
-  // plane z = 0, in [-90, 90]. The default is isometric, from the front right: all three axes are
-  // shortened to 0.816.
+  // Viewpoint of an axonometric projection: its direction about z, from the right toward the
+  // back, and above the horizon, in [-90, 90]. The default is isometric, from the front right: all
+  // three axes are shortened to 0.816.
   double azimuth_deg = -45;
   double elevation_deg = 35.264389682754654;
-  // n of 1:n, where a model unit is a meter. 0: the largest scale with n = 1, 2 or 5 times a power
-  // of ten that fits on A3.
+  // Of the drawing. kNone: the sheet has no scale, only a size that fits on A3.
+  LengthUnit unit = LengthUnit::kNone;
+  // n of 1:n. 0: the largest scale with n = 1, 2 or 5 times a power of ten that fits on A3. Only of
+  // a known unit.
   double sheet_scale = 0;
   // Empty margin around the drawing.
   double margin_mm = 10;
@@ -42,7 +50,12 @@ struct SheetOptions {
   void Check() const;
 };
 
-// A sheet of paper: model units along right and down, from its top left corner.
+// In space, without a unit as if it were the meter.
+inline double UnitMm(LengthUnit unit) {
+  return Millimeters(unit == LengthUnit::kNone ? LengthUnit::kMeter : unit);
+}
+
+// A sheet of paper: drawing units along right and down, from its top left corner.
 struct SvgSheet {
   // Unit rows: right, down, forward in the world.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -54,12 +67,13 @@ struct SvgSheet {
   Eigen::Vector2d paper_max = Eigen::Vector2d::Zero();
   Eigen::Vector2d drawing_min = Eigen::Vector2d::Zero();
   Eigen::Vector2d drawing_max = Eigen::Vector2d::Zero();
-  double scale_denominator = 1;
+  LengthUnit unit = LengthUnit::kNone;
+  double scale_denominator = 1;  // without a unit, as if it were the meter
   // The lower margin has room for a legend.
   bool has_legend = false;
 
-  // Model units per millimeter of paper, and per pixel (1/96 inch).
-  double mm() const { return scale_denominator / 1000; }
+  // Drawing units per millimeter of paper, and per pixel (1/96 inch).
+  double mm() const { return scale_denominator / UnitMm(unit); }
   double px() const { return 25.4 / 96 * mm(); }
   Eigen::Vector2d PaperMm() const { return (paper_max - paper_min) / mm(); }
   Eigen::Vector2d ToSheet(const Eigen::Vector3d& point_in_world) const {
@@ -74,7 +88,7 @@ SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options);
 // pixel of the sheet, or larger ones if there would be more than 4096 in a row.
 OrthographicFrame DepthFrame(const SvgSheet& sheet);
 
-// "1:50", or "20:1" for enlargements.
-std::string ScaleText(double scale_denominator);
+// "1:50", or "20:1" for enlargements; empty without a unit.
+std::string ScaleText(const SvgSheet& sheet);
 
 }  // namespace limn

@@ -239,8 +239,10 @@ LinkPathOptions PathOptions(const SvgOptions& options, int decimals) {
 }
 
 std::string SheetDescription(const SvgSheet& sheet) {
-  std::string text = "Scale " + ScaleText(sheet.scale_denominator) +
-                     "; a unit is one of the model, taken as a meter; right and down from ";
+  std::string text = sheet.unit == LengthUnit::kNone
+                         ? "Without a scale: the unit is that of the model"
+                         : "Scale " + ScaleText(sheet) + "; unit " + UnitName(sheet.unit);
+  text += "; right and down from ";
   constexpr int kDecimals = 3;
   return text + SvgNumber(sheet.origin.x(), kDecimals) + ", " +
          SvgNumber(sheet.origin.y(), kDecimals) + ".";

@@ -44,6 +44,7 @@ std::string PathOf(const std::string& svg, int link) {
 SvgSheet SceneSheet(SvgProjection projection, double scale = 20) {
   SheetOptions options;
   options.projection = projection;
+  options.unit = LengthUnit::kMeter;
   options.sheet_scale = scale;
   return MakeSheet(PictureScene(), options);
 }
@@ -98,7 +99,7 @@ TEST(WriteDrawingSvg, ACircleSeenFromItsSideIsALine) {
 TEST(WriteDrawingSvg, SheetsAreToScale) {
   const DrawingGraph graph = PictureScene();
   for (const SvgProjection projection :
-       {SvgProjection::kTop, SvgProjection::kFront, SvgProjection::kSide}) {
+       {SvgProjection::kTop, SvgProjection::kFront, SvgProjection::kRight}) {
     const std::string svg = WrittenSvg(graph, SceneSheet(projection), {}, {});
     std::smatch match;
     ASSERT_TRUE(std::regex_search(
@@ -125,8 +126,12 @@ TEST(MakeSheet, TakesAScaleThatFitsOnA3) {
     // The next larger scale would not fit.
     EXPECT_GT(sheet.PaperMm().x() - 20, 380 / 2.5 - 0.01) << size;
   }
-  EXPECT_EQ(ScaleText(50), "1:50");
-  EXPECT_EQ(ScaleText(0.2), "5:1");
+  SvgSheet sheet;
+  sheet.unit = LengthUnit::kFoot;
+  sheet.scale_denominator = 50;
+  EXPECT_EQ(ScaleText(sheet), "1:50");
+  sheet.scale_denominator = 0.2;
+  EXPECT_EQ(ScaleText(sheet), "5:1");
   EXPECT_THROW(MakeSheet({}, {}), InputError);
 }
 
@@ -137,7 +142,7 @@ TEST(MakeSheet, ProjectionsShowTheirAxes) {
   };
   EXPECT_EQ(place(SvgProjection::kTop), Eigen::Vector2d(1, -2));
   EXPECT_EQ(place(SvgProjection::kFront), Eigen::Vector2d(1, -4));
-  EXPECT_EQ(place(SvgProjection::kSide), Eigen::Vector2d(2, -4));
+  EXPECT_EQ(place(SvgProjection::kRight), Eigen::Vector2d(2, -4));
   // Isometric from the front right: x and y to the right, z up, all of the same length.
   const SvgSheet sheet = SceneSheet(SvgProjection::kAxonometric);
   EXPECT_LT((sheet.ToSheet({1, 0, 0}) - Eigen::Vector2d(std::sqrt(0.5), std::sqrt(1 / 6.0))).norm(),
@@ -147,10 +152,78 @@ TEST(MakeSheet, ProjectionsShowTheirAxes) {
       1e-12);
   EXPECT_LT((sheet.ToSheet({0, 0, 1}) - Eigen::Vector2d(0, -std::sqrt(2 / 3.0))).norm(), 1e-12);
   for (const SvgProjection projection : {SvgProjection::kTop, SvgProjection::kFront,
-                                         SvgProjection::kSide, SvgProjection::kAxonometric}) {
+                                         SvgProjection::kRight, SvgProjection::kAxonometric}) {
     const Eigen::Matrix3d axes = SceneSheet(projection).axes;
     EXPECT_LT((axes * axes.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
     EXPECT_NEAR(axes.determinant(), 1, 1e-12);  // right, down, forward
+  }
+}
+
+// A letter on a wall, read by who stands before it and looks `forward`.
+DrawingGraph LetterF(const Eigen::Vector3d& forward, const Eigen::Vector3d& up) {
+  const Eigen::Vector3d right = forward.cross(up);
+  const Eigen::Vector3d top = 2 * up, middle = up, o = Eigen::Vector3d::Zero();
+  DrawingGraph graph;
+  for (const auto& [from, to] : {std::pair(o, top), {top, top + right}, {middle, middle + right}}) {
+    AddLink({from, to}, std::nullopt, &graph);
+  }
+  RebuildIncidence(&graph);
+  return graph;
+}
+
+TEST(MakeSheet, LettersAreNotMirrored) {
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  for (const Eigen::Vector3d& front :
+       {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0.6, -0.8, 0)}) {
+    const Eigen::Vector3d to_the_right = front.cross(up);
+    using enum SvgProjection;
+    const std::tuple<SvgProjection, Eigen::Vector3d, Eigen::Vector3d> views[] = {
+        {kFront, front, up},       {kBack, -front, up}, {kRight, -to_the_right, up},
+        {kLeft, to_the_right, up}, {kTop, -up, front},  {kBottom, up, -front}};
+    for (const auto& [projection, forward, up_on_paper] : views) {
+      SCOPED_TRACE(static_cast<int>(projection));
+      SheetOptions options;
+      options.projection = projection;
+      options.front = front;
+      const DrawingGraph letter = LetterF(forward, up_on_paper);
+      const SvgSheet sheet = MakeSheet(letter, options);
+      const auto place = [&](int link, int point) {
+        return sheet.ToSheet(letter.links[link].points_in_world[point]);
+      };
+      const Eigen::Vector2d stem = place(0, 1) - place(0, 0);
+      const Eigen::Vector2d arm = place(1, 1) - place(1, 0);
+      EXPECT_LT((stem - Eigen::Vector2d(0, -2)).norm(), 1e-12);  // y is down
+      EXPECT_LT((arm - Eigen::Vector2d(1, 0)).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(MakeSheet, WithoutAUnitThereIsNoScale) {
+  const DrawingGraph graph = PictureScene();
+  const std::string svg = WrittenSvg(graph, MakeSheet(graph, {}), {}, {});
+  EXPECT_EQ(Count(svg, "1:[0-9]"), 0);
+  EXPECT_EQ(Count(svg, "[0-9] k?[cm]?m<"), 0);
+  EXPECT_THAT(svg, HasSubstr("model units<"));
+  EXPECT_THAT(svg, HasSubstr("Without a scale"));
+  SheetOptions options;
+  options.sheet_scale = 20;
+  EXPECT_THAT(ErrorText<OptionError>([&] { MakeSheet(graph, options); }),
+              HasSubstr("the unit of the drawing is not known"));
+}
+
+TEST(MakeSheet, TheScaleIsThatOfTheUnit) {
+  const DrawingGraph in_meters = PictureScene();
+  const Eigen::Vector2d paper = SceneSheet(SvgProjection::kTop).PaperMm();
+  for (const LengthUnit unit : {LengthUnit::kMillimeter, LengthUnit::kFoot}) {
+    SheetOptions options;
+    options.unit = unit;
+    options.sheet_scale = 20;
+    const DrawingGraph graph = Transformed(in_meters, 1000 / Millimeters(unit),
+                                           Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
+    const SvgSheet sheet = MakeSheet(graph, options);
+    EXPECT_LT((sheet.PaperMm() - paper).norm(), 1e-9);
+    EXPECT_THAT(WrittenSvg(graph, sheet, {}, {}),
+                HasSubstr(unit == LengthUnit::kFoot ? " ft<" : " m<"));
   }
 }
 
@@ -258,6 +331,7 @@ TEST(WriteDrawingSvg, RefusesOptionsOutOfRange) {
   sheet.elevation_deg = 91;
   EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);
   sheet = {};
+  sheet.unit = LengthUnit::kMeter;
   sheet.sheet_scale = 0.001;  // four kilometers of paper
   EXPECT_THAT(ErrorText<OptionError>([&] { MakeSheet(PictureScene(), sheet); }),
               StartsWith("sheet_scale = 0.001"));
