@@ -23,6 +23,7 @@
 #include "limn/formats/tube_mesh.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/drawing_paths.h"
+#include "limn/model/drawing_transform.h"
 #include "limn/util/errors.h"
 #include "limn/version.h"
 
