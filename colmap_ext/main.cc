@@ -22,6 +22,7 @@
 #include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/util/errors.h"
 #include "limn/util/latest_stage.h"
+#include "limn/util/nearest_word.h"
 #include "limn/util/return_memory.h"
 
 namespace {
@@ -32,7 +33,7 @@ void PrintUsage() {
   std::printf(
       "limn: 3D drawings from COLMAP projects\n\n"
       "  limn automatic_drawer --workspace_path my_project\n"
-      "  limn <command> -h          the basic options of a command\n"
+      "  limn <command> -h          the basic options of a command, as limn help <command>\n"
       "  limn <command> --help_all  all of its options\n\nCommands:\n");
   for (const Command& command : Commands()) {
     std::printf("  %-20s %s\n", command.name, command.summary);
@@ -54,6 +55,20 @@ void PrintUsageFor(std::string_view format) {
   }
 }
 
+[[noreturn]] void FailUnknownCommand(std::string_view name) {
+  std::vector<std::string> names;
+  for (const Command& command : Commands()) names.push_back(command.name);
+  throw limn::OptionError("unknown command '" + std::string(name) + "'" +
+                          limn::DidYouMean(name, names) + "; 'limn help' lists the commands");
+}
+
+void PrintHelpOf(const char* name) {
+  const Command* command = FindCommand(name);
+  if (!command) FailUnknownCommand(name);
+  const char* const arguments[] = {name, "-h"};
+  command->Run(2, arguments, MakeTerminalConsole);
+}
+
 // Whether this was all that was asked for.
 bool PrintHelp(int argc, const char* const* argv) {
   const std::string_view name = argc > 1 ? argv[1] : "help";
@@ -64,6 +79,8 @@ bool PrintHelp(int argc, const char* const* argv) {
   if (name != "help" && name != "-h" && name != "--help") return false;
   if (argc == 4 && std::string_view(argv[2]) == "--help_format") {
     PrintUsageFor(argv[3]);
+  } else if (argc == 3 && name == "help") {
+    PrintHelpOf(argv[2]);
   } else {
     PrintUsage();
   }
@@ -93,8 +110,7 @@ int Run(int argc, const char* const* argv) {
                             ": only automatic_drawer runs in several MPI processes");
   }
   if (command) return command->Run(argc - 1, argv + 1, MakeTerminalConsole);
-  throw limn::OptionError("unknown command '" + std::string(name) +
-                          "'; 'limn help' lists the commands");
+  FailUnknownCommand(name);
 }
 
 // The exit code.

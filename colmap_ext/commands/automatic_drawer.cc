@@ -28,7 +28,7 @@ void DrawAndWatch(DrawerOptions options, const OptionParser& parser,
                   const ConsoleMaker& make_console) {
   WorkspaceWatch watch(ResolveLayout(options.run.layout).model_dir);
   for (bool is_first = true;; is_first = false) {
-    const auto console = make_console(options.run.num_threads, Printing::kOn);
+    const auto console = make_console(options.run.num_threads, PrintingAt(options.run.log_level));
     watch.Look();
     try {
       Draw(options, parser, &watch, console.get());
@@ -62,8 +62,8 @@ int RunAutomaticDrawer(const Command& command, int argc, const char* const* argv
     return 0;
   }
   options.run.is_locked_by_rank_zero = !leads;
-  const auto console =
-      make_console(options.run.num_threads, leads ? Printing::kOn : Printing::kOff);
+  const auto console = make_console(options.run.num_threads,
+                                    leads ? PrintingAt(options.run.log_level) : Printing::kOff);
   Draw(options, *parser, nullptr, console.get());
   return 0;
 }

@@ -35,7 +35,7 @@ int RunOnProject(const Command& command, int argc, const char* const* argv,
                                         verb->AddFileOptions(more);
                                       });
   if (!parser) return 0;
-  const auto console = make_console(options.num_threads, Printing::kOn);
+  const auto console = make_console(options.num_threads, PrintingAt(options.log_level));
   SayRetired(*parser, console.get());
   verb->Prepare(&options, console.get());
   options.layout.starts_from = verb->StartsFrom(options);
@@ -74,7 +74,7 @@ int OnFiles(const Command& command, int argc, const char* const* argv,
   options.Check();
   int num_threads = -1;
   if constexpr (requires { options.num_threads; }) num_threads = options.num_threads;
-  const auto console = make_console(num_threads, Printing::kOn);
+  const auto console = make_console(num_threads, Printing::kStages);
   kVerb(options, console.get());
   return 0;
 }

@@ -1,5 +1,6 @@
 #include "colmap_ext/host/console.h"
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -50,20 +51,24 @@ void AddTable(const char* heading, const StageSummary::Counts& counts,
 
 }  // namespace
 
-std::vector<std::string> LinesOf(const RunLog::Stage& stage) {
+Printing PrintingAt(int log_level) { return log_level < 2 ? Printing::kStages : Printing::kCounts; }
+
+std::vector<std::string> LinesOf(const RunLog::Stage& stage, Printing printing) {
   const StageSummary& summary = stage.summary;
   char seconds[40];
-  std::snprintf(seconds, sizeof(seconds), ": %.1f s, peak memory ", stage.seconds);
-  std::vector<std::string> lines = {summary.stage + seconds + WithCommas(stage.peak_memory_mb) +
-                                    " MB"};
-  AddTable("in", summary.in, &lines);
-  AddTable("kept", summary.kept, &lines);
-  AddTable("dropped", summary.dropped, &lines);
+  std::snprintf(seconds, sizeof(seconds), ": %.1f s", stage.seconds);
+  std::vector<std::string> lines = {summary.stage + seconds};
+  if (printing == Printing::kCounts) {
+    lines.front() += ", peak memory " + WithCommas(stage.peak_memory_mb) + " MB";
+    AddTable("in", summary.in, &lines);
+    AddTable("kept", summary.kept, &lines);
+    AddTable("dropped", summary.dropped, &lines);
+  }
   for (const std::string& warning : summary.warnings) lines.push_back("  WARNING: " + warning);
   return lines;
 }
 
-Console::Console(int num_threads) : stage_start_(Clock::now()) {
+Console::Console(int num_threads) : start_(Clock::now()), stage_start_(start_) {
   context_.num_threads = num_threads;
 }
 
@@ -86,6 +91,13 @@ void Console::Say(const std::string& line) {
   ShowLine(line);
   constexpr std::string_view kWarning = "WARNING: ";
   if (line.starts_with(kWarning)) log_.warnings.push_back(line.substr(kWarning.size()));
+}
+
+void Console::SayTotalTime() {
+  const auto seconds = static_cast<int64_t>(std::lround(SecondsSince(start_)));
+  std::string text = std::to_string(seconds % 60) + " s";
+  if (seconds >= 60) text = std::to_string(seconds / 60) + " min " + text;
+  Say("Total time: " + text);
 }
 
 void Console::RepeatWarnings() {

@@ -47,6 +47,8 @@ class Console {
   // its counts of items in, kept and dropped, the seconds since the last summary and the program's
   // peak memory.
   void Report(const StageSummary& summary);
+  // Shows the time since the console was made.
+  void SayTotalTime();
   // Shows what could not be stored since the last stage, then repeats the warnings of the whole
   // run, which the output of the stages may have scrolled away.
   void RepeatWarnings();
@@ -76,14 +78,22 @@ class Console {
   mutable std::mutex cache_mutex_;
   std::shared_ptr<const ResultCache> cache_;
   std::set<std::pair<CachedKind, int>> reported_rounds_;
+  Clock::time_point start_;
   Clock::time_point stage_start_;
 };
 
-// What to show of a stage: what came in, what was kept and dropped, warnings.
-std::vector<std::string> LinesOf(const RunLog::Stage& stage);
+// What the console of a command prints.
+enum class Printing {
+  kOff,     // nothing: of several processes of a run only one prints
+  kStages,  // of a stage its name, time and warnings
+  kCounts,  // also its memory, and what came in, was kept and dropped
+};
+// Of --log_level.
+Printing PrintingAt(int log_level);
 
-// Whether the console of a command prints: of several processes of a run only one does.
-enum class Printing { kOff, kOn };
+// What to show of a stage.
+std::vector<std::string> LinesOf(const RunLog::Stage& stage, Printing printing);
+
 // Makes the console of a command.
 using ConsoleMaker = std::function<std::unique_ptr<Console>(int num_threads, Printing printing)>;
 

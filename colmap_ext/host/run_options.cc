@@ -56,6 +56,8 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
   }
   parser->AddOption("num_threads", &options->num_threads,
                     BasicOption("processor cores to use, -1 = all"));
+  parser->AddOption("log_level", &options->log_level,
+                    "what is printed: 1 = a line per stage, 2 = what it kept and dropped, too");
 }
 
 template <typename Options>
@@ -172,6 +174,7 @@ void RunOptions::Check() const {
 
 void RunOptions::CheckValues() const {
   LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
+  LIMN_CHECK_RANGE(log_level, >= 0, <= 2);
   pipeline.Check();
   view.Check();
   CheckGroup("EdgeMaps", edge_maps);

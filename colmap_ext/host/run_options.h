@@ -32,6 +32,8 @@ struct RunOptions {
   std::vector<double> box;
   Quality quality = Quality::kMedium;
   int num_threads = -1;
+  // From 2 on also what stages kept and dropped is printed.
+  int log_level = 1;
   // Compute only this part of the views, "i/n", for the cache; empty = everything.
   std::string shard;
   ShardStage shard_stage = ShardStage::kSketches;

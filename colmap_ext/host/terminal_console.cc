@@ -31,10 +31,10 @@ std::string KeptOf(const CacheUse& use) {
 
 TerminalConsole::TerminalConsole(int num_threads, Printing printing)
     : Console(num_threads),
-      prints_(printing == Printing::kOn),
+      printing_(printing),
       is_terminal_(isatty(STDOUT_FILENO) == 1),
       interrupts_([this]() -> std::string {
-        if (!prints_) return "";
+        if (printing_ == Printing::kOff) return "";
         if (is_terminal_) std::fputs(kClearLine, stdout);
         std::fflush(stdout);
         return WhatIsKept();
@@ -62,7 +62,7 @@ std::string TerminalConsole::WhatIsKept() const {
 }
 
 void TerminalConsole::ShowProgress(const char* stage, size_t done, size_t total) {
-  if (!prints_ || total == 0) return;
+  if (printing_ == Printing::kOff || total == 0) return;
   // Another stage, or the same one again from the start.
   if (progress_stage_ != stage || done < progress_done_) {
     progress_stage_ = stage;
@@ -91,7 +91,7 @@ void TerminalConsole::ShowProgress(const char* stage, size_t done, size_t total)
 }
 
 bool TerminalConsole::Print(const std::string& text) {
-  if (!prints_) return true;
+  if (printing_ == Printing::kOff) return true;
   errno = 0;
   const bool is_printed =
       std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
@@ -123,7 +123,7 @@ void TerminalConsole::ShowTable(const std::string& lines) {
 
 void TerminalConsole::ShowStage(const RunLog::Stage& stage) {
   ClearProgressLine();
-  for (const std::string& line : LinesOf(stage)) PrintLine(line);
+  for (const std::string& line : LinesOf(stage, printing_)) PrintLine(line);
 }
 
 std::unique_ptr<Console> MakeTerminalConsole(int num_threads, Printing printing) {

@@ -15,7 +15,7 @@ namespace limn::colmap_ext {
 class TerminalConsole : public Console {
  public:
   // At most one terminal console may exist at a time.
-  explicit TerminalConsole(int num_threads, Printing printing = Printing::kOn);
+  explicit TerminalConsole(int num_threads, Printing printing = Printing::kStages);
   ~TerminalConsole() override;
 
   void ShowTable(const std::string& lines) override;
@@ -31,7 +31,7 @@ class TerminalConsole : public Console {
   bool Print(const std::string& text);
   void PrintLine(const std::string& line);
 
-  bool prints_;
+  Printing printing_;
   bool is_terminal_ = false;
   bool has_progress_line_ = false;
   std::string progress_stage_;

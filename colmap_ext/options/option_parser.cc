@@ -10,10 +10,12 @@
 
 #include <boost/program_options.hpp>
 
+#include "colmap_ext/options/colmap_options.h"
 #include "colmap_ext/options/ini_file.h"
 #include "colmap_ext/options/retired_options.h"
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
+#include "limn/util/nearest_word.h"
 #include "limn/util/number_text.h"
 
 namespace limn {
@@ -111,6 +113,12 @@ std::string GroupOf(const std::string& name) {
   return dot == std::string::npos ? "" : name.substr(0, dot);
 }
 
+// Thrown until it is known which options there are.
+struct UnknownOption {
+  explicit UnknownOption(std::string unknown) : name(std::move(unknown)) {}
+  std::string name;
+};
+
 // "--name value" and "--name=value", names in full, and "-h".
 std::vector<po::option> SplitCommandLine(int argc, const char* const* argv,
                                          const po::options_description& known) {
@@ -119,6 +127,11 @@ std::vector<po::option> SplitCommandLine(int argc, const char* const* argv,
                       style::allow_short | style::allow_dash_for_short | style::short_allow_next;
   try {
     return po::command_line_parser(argc, argv).options(known).style(allowed).run().options;
+  } catch (const po::unknown_option& error) {
+    // As it was typed: "--name=value".
+    std::string name = error.get_option_name();
+    name.erase(0, name.find_first_not_of('-'));
+    throw UnknownOption(name.substr(0, name.find('=')));
   } catch (const po::error& error) {
     throw OptionError(error.what());
   }
@@ -266,7 +279,7 @@ void OptionParser::Set(const std::string& name, const std::string& text,
   Option* option = Find(NewName(name).value_or(name));
   if (!option) {
     if (TakesRetired(name, text, origin)) return;
-    throw OptionError(origin + "unknown option '" + name + "'");
+    FailUnknown(name, name, origin);
   }
   const std::string expected = option->set(text);
   if (!expected.empty()) {
@@ -275,6 +288,17 @@ void OptionParser::Set(const std::string& name, const std::string& text,
                       expected);
   }
   option->given = true;
+}
+
+void OptionParser::FailUnknown(const std::string& written, const std::string& name,
+                               const std::string& origin) const {
+  std::string text = origin + "unknown option '" + written + "'";
+  if (const std::string advice = AdviceOnColmapOption(name); !advice.empty()) {
+    throw OptionError(text + ": " + advice);
+  }
+  std::vector<std::string> names;
+  for (const Option& option : options_) names.push_back(option.name);
+  throw OptionError(text + DidYouMean(name, names));
 }
 
 std::string OptionParser::NoteOnRetired() const {
@@ -310,7 +334,12 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
     known.add_options()(option.name, po::value<std::string>(), "");
   }
   for (const char* name : FormerNames()) known.add_options()(name, po::value<std::string>(), "");
-  const std::vector<po::option> given = SplitCommandLine(argc, argv, known);
+  std::vector<po::option> given;
+  try {
+    given = SplitCommandLine(argc, argv, known);
+  } catch (const UnknownOption& unknown) {
+    FailUnknown("--" + unknown.name, unknown.name);
+  }
 
   std::set<std::string> seen;
   std::string project_path;

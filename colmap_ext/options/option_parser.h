@@ -95,6 +95,9 @@ class OptionParser {
   // Of an option that is not known: whether it is one that is fixed now. Throws OptionError if it
   // is given another value.
   bool TakesRetired(const std::string& name, const std::string& text, const std::string& origin);
+  // `written`: with its dashes, if it had some.
+  [[noreturn]] void FailUnknown(const std::string& written, const std::string& name,
+                                const std::string& origin = "") const;
   void Set(const std::string& name, const std::string& text, const std::string& origin);
   void ReadIni(const std::string& path);
 

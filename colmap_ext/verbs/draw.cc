@@ -167,6 +167,7 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   if (options.page) WritePageWithReport(project, drawing, options, trust, console);
   drawn->keep();
   RemoveOtherCameras(project, replaced_cameras, cameras, console);
+  console->SayTotalTime();
   console->RepeatWarnings();
   return std::move(drawing.graph);
 }

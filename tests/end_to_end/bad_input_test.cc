@@ -176,6 +176,21 @@ TEST(Commands, UnknownCommandIsRefused) {
   EXPECT_THAT(run.err, AllOf(StartsWith("ERROR: "), HasSubstr("automatic_painter")));
 }
 
+TEST(Commands, WhatIsMeantIsTold) {
+  const LimnRun run = RunLimn({"drawing_exportr"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err,
+            "ERROR: unknown command 'drawing_exportr': did you mean drawing_exporter?; 'limn help' "
+            "lists the commands\n");
+}
+
+TEST(Commands, HelpOfACommandIsItsHelp) {
+  const LimnRun help = RunLimn({"help", "drawing_aligner"});
+  EXPECT_EQ(help.exit_code, 0) << help.err;
+  EXPECT_EQ(help.out, RunLimn({"drawing_aligner", "-h"}).out);
+  EXPECT_EQ(RunLimn({"help", "nonsense"}).exit_code, 1);
+}
+
 TEST(Commands, AllAreListedAndHaveHelp) {
   const LimnRun help = RunLimn({"help"});
   EXPECT_EQ(help.exit_code, 0);

@@ -62,7 +62,7 @@ class DrawingSurfacer : public ::testing::Test {
 SmallScene* DrawingSurfacer::scene_ = nullptr;
 
 TEST_F(DrawingSurfacer, AddsFacesAndLeavesTheRestAsItWas) {
-  const LimnRun run = Find("out");
+  const LimnRun run = Find("out", {"--log_level", "2"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   for (const char* name :
        {"drawing.ply", "drawing.obj", "curves/tracks.txt", "curves/overlays/view_03.jpg.png"}) {

@@ -11,7 +11,7 @@ namespace {
 TEST(TerminalConsole, PrintsNoControlCharacters) {
   ::testing::internal::CaptureStdout();
   {
-    TerminalConsole console(1);
+    TerminalConsole console(1, Printing::kCounts);
     console.Say("WARNING: image \x1B]0;x\x07\x1B[2J.png");
     StageSummary summary;
     summary.stage = "stage";
@@ -23,6 +23,29 @@ TEST(TerminalConsole, PrintsNoControlCharacters) {
   EXPECT_THAT(out, ::testing::HasSubstr("WARNING: image \\x1b]0;x\\x07\\x1b[2J.png\n"));
   EXPECT_THAT(out, ::testing::HasSubstr("of \\x1b[31m.png\n"));
   EXPECT_THAT(out, ::testing::HasSubstr("WARNING: a\\x0d\\x0ab\n"));
+}
+
+std::string PrintedOfAStage(int log_level) {
+  ::testing::internal::CaptureStdout();
+  {
+    TerminalConsole console(1, PrintingAt(log_level));
+    console.Report({.stage = "stage",
+                    .in = {{"links", 12}},
+                    .kept = {},
+                    .dropped = {},
+                    .warnings = {"of a stage"}});
+    console.SayTotalTime();
+  }
+  return ::testing::internal::GetCapturedStdout();
+}
+
+TEST(TerminalConsole, CountsAreForThoseWhoAsk) {
+  const std::string usual = PrintedOfAStage(1);
+  EXPECT_THAT(usual,
+              ::testing::MatchesRegex("stage: 0\\.0 s\n  WARNING: of a stage\nTotal time: 0 s\n"));
+  const std::string full = PrintedOfAStage(2);
+  EXPECT_THAT(full, ::testing::HasSubstr("peak memory"));
+  EXPECT_THAT(full, ::testing::HasSubstr("12  links\n"));
 }
 
 TEST(TerminalConsole, ARunWhoseLinesNobodyReadsIsInterrupted) {

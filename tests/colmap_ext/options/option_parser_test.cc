@@ -188,6 +188,15 @@ TEST_F(OptionParserTest, ErrorsInTheIniFileNameItsLine) {
               HasSubstr("/nonexistent.ini"));
 }
 
+TEST_F(OptionParserTest, UnknownOptionsTellWhatIsMeant) {
+  EXPECT_EQ(ErrorOf({"--qualty", "low"}), "unknown option '--qualty': did you mean quality?");
+  EXPECT_EQ(ErrorOf({"--length_px=3"}),
+            "unknown option '--length_px': did you mean Linking.length_px?");
+  EXPECT_EQ(ErrorOf({"--nonsense=1"}), "unknown option '--nonsense'");
+  EXPECT_EQ(ErrorOf({"--random_seed", "7"}),
+            "unknown option '--random_seed': leave it out: nothing depends on chance");
+}
+
 TEST_F(OptionParserTest, WrittenIniFileRunsAgain) {
   Parse({"--path", "x=# y", "--Linking.length_px", "0.1", "--Linking.count", "12", "--Sketch.mode",
          "original", "--Sketch.refine", "false", "--taus", "0.3,1e-300", "--quality", "low"});
