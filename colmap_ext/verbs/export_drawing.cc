@@ -71,7 +71,7 @@ SvgScene SceneOf(const ExporterOptions& options, const SheetInput& input, Consol
   source.style.junctions = options.junctions;
   return source.IsSheet() ? SceneOnSheet(source, input, console)
                           : SceneInImage(source, options.workspace, input.graph, input.faces,
-                                         options.output_path, console);
+                                         console);
 }
 
 // Makes the scene flat, for DXF.

@@ -58,7 +58,7 @@ Eigen::Vector2d BrightCenter(const Thumbnail& thumbnail) {
 TEST(Thumbnail, CoversThePhotographAndIsOfTheSizeAskedFor) {
   for (const int channels : {1, 3}) {
     const Eigen::Vector2d center(120, 60);
-    const Thumbnail thumbnail = MakeThumbnail(Photo(center, channels), MakeView(), 100);
+    const Thumbnail thumbnail = MakeThumbnail(Photo(center, channels), MakeView(), {100});
     EXPECT_EQ(thumbnail.min_px, Eigen::Vector2d(-0.5, -0.5));
     EXPECT_EQ(thumbnail.max_px, Eigen::Vector2d(399.5, 199.5));
     EXPECT_EQ(Decoded(thumbnail).size(), cv::Size(100, 50));
@@ -67,7 +67,7 @@ TEST(Thumbnail, CoversThePhotographAndIsOfTheSizeAskedFor) {
 }
 
 TEST(Thumbnail, IsNeverEnlarged) {
-  const Thumbnail thumbnail = MakeThumbnail(Photo({200, 100}, 3), MakeView(), 4000);
+  const Thumbnail thumbnail = MakeThumbnail(Photo({200, 100}, 3), MakeView(), {4000});
   EXPECT_EQ(Decoded(thumbnail).size(), cv::Size(kWidth, kHeight));
 }
 
@@ -77,7 +77,7 @@ TEST(Thumbnail, UndoesTheLens) {
   view.region = MakeImageRegion(view.camera, view.lens.get(), {}, 2);
   const Eigen::Vector2d virtual_center(150, 120);
   const Image photo = Photo(*view.StoredFromVirtual(virtual_center), 3);
-  const Thumbnail thumbnail = MakeThumbnail(photo, view, 200);
+  const Thumbnail thumbnail = MakeThumbnail(photo, view, {200});
   EXPECT_LT((BrightCenter(thumbnail) - virtual_center).norm(), 1.0);
   // The corners of the turned picture show nothing of the photograph.
   EXPECT_LT(Decoded(thumbnail).at<uchar>(1, 1), 20);
@@ -86,7 +86,7 @@ TEST(Thumbnail, UndoesTheLens) {
 TEST(Thumbnail, RefusesAPhotographOfAnotherSize) {
   Image photo = Photo({200, 100}, 3);
   photo.height = 100;
-  EXPECT_THROW(MakeThumbnail(photo, MakeView(), 100), InputError);
+  EXPECT_THROW(MakeThumbnail(photo, MakeView(), {100}), InputError);
 }
 
 }  // namespace
