@@ -25,7 +25,9 @@ void Renew(const Project& project, Console* console) {
   const std::string path =
       FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kNewest, "drawing_path");
   const DrawingInScene drawing = ReadDrawingInScene(project, path);
-  if (page.drawing.fingerprint == drawing.fingerprint) return;
+  const bool is_new = page.drawing.name == fs::path(path).filename() &&
+                      page.drawing.fingerprint == drawing.fingerprint;
+  if (is_new) return;
   auto thumbnails =
       MakeThumbnails(project, drawing.views, options.thumbnail_size, page.photos, console);
   WritePage(project, drawing, path, options,

@@ -79,7 +79,7 @@ class PageRenewal : public ::testing::Test {
     EXPECT_EQ(CountWarnings(run.out), 1) << run.out;
     EXPECT_TRUE(
         ReadDrawingJson((scene_ / "drawing.json").string()).metadata.alignment.has_value());
-    EXPECT_EQ(ReadTree(scene_.output()).at("drawing.html"), page);
+    EXPECT_TRUE(ReadTree(scene_.output()).at("drawing.html") == page);
   }
 
   SmallScene scene_;
@@ -198,7 +198,7 @@ TEST_F(PageRenewal, OtherAndDamagedFilesAreLeft) {
   const std::string whole = ReadTree(scene_.output()).at("drawing.html");
   for (const auto& [page, reason] : std::vector<std::pair<std::string, std::string>>{
            {"<!doctype html><p>my notes</p>", "is not a page of limn"},
-           {whole.substr(0, whole.size() - 100000), "cut off"}}) {
+           {whole.substr(0, whole.find("id=\"payload\"") + 1000), "cut off"}}) {
     Write("drawing.html", page);
     ExpectLeft(page, reason);
   }
