@@ -24,8 +24,8 @@ DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path) {
 
 DrawingInScene ReadDrawingInScene(const Scene& scene, const std::string& path) {
   DrawingFile file = ReadDrawingOf(scene, path);
-  DrawingInScene drawing = {Moved(std::move(file.graph), -scene.origin()),
-                            std::move(file.metadata), scene.views(), nullptr};
+  DrawingInScene drawing = {Moved(std::move(file.graph), -scene.origin()), std::move(file.metadata),
+                            scene.views(), nullptr};
   drawing.fingerprint = FingerprintOf(path);
   return drawing;
 }

@@ -69,9 +69,9 @@ bool IsPlan(const ExporterOptions& options) {
 SvgScene SceneOf(const ExporterOptions& options, const SheetInput& input, Console* console) {
   SvgSource source = options.svg;
   source.style.junctions = options.junctions;
-  return source.IsSheet() ? SceneOnSheet(source, input, console)
-                          : SceneInImage(source, options.workspace, input.graph, input.faces,
-                                         console);
+  return source.IsSheet()
+             ? SceneOnSheet(source, input, console)
+             : SceneInImage(source, options.workspace, input.graph, input.faces, console);
 }
 
 // Makes the scene flat, for DXF.

@@ -14,9 +14,8 @@ void PageOptions::Check() const {
 }
 
 std::string SettingsOf(const PageOptions& options) {
-  const nlohmann::ordered_json json = {
-      {"thumbnail_size", options.thumbnail_size},
-      {"in_model", options.shown == PageOptions::Shown::kModel}};
+  const nlohmann::ordered_json json = {{"thumbnail_size", options.thumbnail_size},
+                                       {"in_model", options.shown == PageOptions::Shown::kModel}};
   return json.dump();
 }
 

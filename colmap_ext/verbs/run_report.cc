@@ -146,8 +146,8 @@ Json ToJson(const Trust& trust) {
 
 std::string RunReportJson(const Project& project, const RunOptions& options,
                           const std::string& drawing_path, const DrawingGraph& graph,
-                          const std::vector<View>& views,
-                          const Trust& trust, const TruthInput& truth, const Console& console) {
+                          const std::vector<View>& views, const Trust& trust,
+                          const TruthInput& truth, const Console& console) {
   const std::vector<size_t> support = CountSupport(project.view_set(), graph);
   Json report = {{"workspace", project.layout().description},
                  {"drawing", FingerprintOf(drawing_path)},

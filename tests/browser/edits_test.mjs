@@ -228,7 +228,6 @@ test('the message says how many links are selected, also after deletions', () =>
     assert.match(await page.locator('#edit-selection').textContent(), /^Nothing is selected/);
     await clickLink(page, 4, 4);
     assert.equal(await message(page), '1 link selected.');
-    await press(page, 'Control+z');
     await clickLink(page, 4, 4, { shift: true });
     assert.equal(await message(page), '0 links selected.');
   }));

@@ -112,7 +112,10 @@ for (const name of PAGES) {
         await rest(page);
         assert.deepEqual(await brokenWords(page), [], tab);
         const over = await page.evaluate(() => {
-          const all = [document.documentElement, ...document.querySelectorAll('.panel, .tabs, #photo-bar')];
+          const all = [
+            document.documentElement,
+            ...document.querySelectorAll('.panel, .tabs, #photo-bar'),
+          ];
           const isOver = (element) => element.scrollWidth > element.clientWidth + 1;
           return all.filter(isOver).map(({ tagName, id, className }) => [tagName, id, className]);
         });

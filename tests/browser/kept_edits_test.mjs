@@ -37,7 +37,9 @@ async function withContext(run, script) {
 const notice = (page) => page.locator('#notices .notice');
 const answer = (page, name) => notice(page).getByRole('button', { name, exact: true });
 const gone = (page) =>
-  page.evaluate(() => [...window.limnViewer.drawing.gone].flatMap((is, link) => (is ? [link] : [])));
+  page.evaluate(() =>
+    [...window.limnViewer.drawing.gone].flatMap((is, link) => (is ? [link] : [])),
+  );
 const editsOf = (page) =>
   page.evaluate(() => window.limnViewer.editor.history.edits.map(({ edit }) => edit));
 const numKept = (page) => page.evaluate(() => window.localStorage.length);

@@ -77,8 +77,7 @@ class PageRenewal : public ::testing::Test {
     EXPECT_THAT(run.out, AllOf(HasSubstr("WARNING: " + Page() + " is older than the drawing"),
                                HasSubstr(reason), HasSubstr("drawing_viewer makes it anew")));
     EXPECT_EQ(CountWarnings(run.out), 1) << run.out;
-    EXPECT_TRUE(
-        ReadDrawingJson((scene_ / "drawing.json").string()).metadata.alignment.has_value());
+    EXPECT_TRUE(ReadDrawingJson((scene_ / "drawing.json").string()).metadata.alignment.has_value());
     EXPECT_TRUE(ReadTree(scene_.output()).at("drawing.html") == page);
   }
 
@@ -121,9 +120,11 @@ TEST_F(PageRenewal, EveryCommandDoesIt) {
   Write("edits.json", R"({"format": "limn_edits", "format_version": 1, "edits": []})");
   const std::string edits = (scene_ / "edits.json").string();
   std::string fingerprint = Header().at("drawing").at("fingerprint");
-  const std::vector<std::vector<std::string>> commands = {
-      {"drawing_aligner"}, {"drawing_surfacer"},        {"drawing_editor", "--edits", edits},
-      {"drawing_refiner"}, {"curve_drawer", "--mode", "sweep"}};
+  const std::vector<std::vector<std::string>> commands = {{"drawing_aligner"},
+                                                          {"drawing_surfacer"},
+                                                          {"drawing_editor", "--edits", edits},
+                                                          {"drawing_refiner"},
+                                                          {"curve_drawer", "--mode", "sweep"}};
   for (const std::vector<std::string>& command : commands) {
     const LimnRun run = Run(command[0], {command.begin() + 1, command.end()});
     ASSERT_EQ(run.exit_code, 0) << command[0] << run.err;

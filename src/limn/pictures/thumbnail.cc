@@ -14,7 +14,7 @@
 namespace limn {
 namespace {
 
-constexpr int kJpegQuality = 80;
+constexpr int kJpegQuality = 75;
 constexpr int kSmallestSide = 16;
 
 // BGR, as OpenCV encodes it.

@@ -29,9 +29,10 @@ struct ThumbnailOptions {
   size_t max_bytes = std::numeric_limits<size_t>::max();
 };
 
-// The photograph, undistorted if the view has a lens, shrunk, never enlarged. With a lens it covers the view's region, at most twice the
-// image's size to each side of its middle (wide lenses reach very far), black outside the
-// photograph. Throws InputError if the photograph does not have the size of the view's camera.
+// The photograph, undistorted if the view has a lens, shrunk, never enlarged. With a lens it covers
+// the view's region, at most twice the image's size to each side of its middle (wide lenses reach
+// very far), black outside the photograph. Throws InputError if the photograph does not have the
+// size of the view's camera.
 Thumbnail MakeThumbnail(const Image& photo, const View& view, const ThumbnailOptions& options);
 
 // The photograph as it is stored, shrunk in the same way: a whole JPEG file.

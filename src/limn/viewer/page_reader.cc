@@ -113,9 +113,8 @@ Similarity3d SimilarityOf(const JsonValue& value) {
 PagePhoto PhotoOf(const JsonValue& view, const JsonValue& thumbnail, std::string_view pictures) {
   PagePhoto photo;
   photo.name = view.At("name").Text();
-  photo.camera = {view.At("fx").Number(),     view.At("fy").Number(),
-                  view.At("cx").Number(),     view.At("cy").Number(),
-                  view.At("width").Integer(), view.At("height").Integer()};
+  photo.camera = {view.At("fx").Number(), view.At("fy").Number(),     view.At("cx").Number(),
+                  view.At("cy").Number(), view.At("width").Integer(), view.At("height").Integer()};
   photo.region.min_px = PixelOf(view.At("region").At("min"));
   photo.region.max_px = PixelOf(view.At("region").At("max"));
   photo.thumbnail.min_px = PixelOf(thumbnail.At("min"));

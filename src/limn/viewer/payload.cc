@@ -313,8 +313,7 @@ std::string EncodePayload(const ViewerScene& scene) {
   AddFaces(scene, center, &arrays);
   AddDimensions(scene, center, &arrays);
   AddCloud(scene, center, &arrays);
-  Json header = {
-      {"format", kPageFormat}, {"version", kPageVersion}, {"title", scene.title}};
+  Json header = {{"format", kPageFormat}, {"version", kPageVersion}, {"title", scene.title}};
   header["center"] = ToJson(center);
   header["shownFromModel"] = ToJson(scene.shown_from_model);
   header["unit"] = scene.unit;

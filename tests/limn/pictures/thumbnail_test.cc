@@ -71,6 +71,36 @@ TEST(Thumbnail, IsNeverEnlarged) {
   EXPECT_EQ(Decoded(thumbnail).size(), cv::Size(kWidth, kHeight));
 }
 
+// Of noise, which takes many bytes.
+Image NoisyPhoto() {
+  Image photo{kWidth, kHeight, 3, {}, {}};
+  uint32_t state = 1;
+  for (int i = 0; i < 3 * kWidth * kHeight; ++i) {
+    state = 1664525 * state + 1013904223;
+    photo.data.push_back(static_cast<float>(state >> 24));
+  }
+  return photo;
+}
+
+TEST(Thumbnail, IsSmallerWhereItWouldTakeTooManyBytes) {
+  const Thumbnail whole = MakeThumbnail(NoisyPhoto(), MakeView(), {400});
+  EXPECT_EQ(whole.longer_side, 400);
+  ASSERT_GT(whole.jpeg.size(), 40000u);
+  const Thumbnail small = MakeThumbnail(NoisyPhoto(), MakeView(), {400, 20000});
+  EXPECT_LE(small.jpeg.size(), 20000u);
+  EXPECT_GT(small.jpeg.size(), 10000u);
+  EXPECT_EQ(Decoded(small).cols, small.longer_side);
+  EXPECT_NEAR(Decoded(small).rows, 0.5 * small.longer_side, 1);
+  EXPECT_EQ(small.max_px, whole.max_px);
+  EXPECT_EQ(MakeThumbnail(NoisyPhoto(), MakeView(), {400, 10}).longer_side, 16);
+}
+
+TEST(SmallJpeg, IsThePhotographAsStored) {
+  EXPECT_EQ(Decoded({.jpeg = SmallJpeg(Photo({120, 60}, 3), 100)}).size(), cv::Size(100, 50));
+  EXPECT_EQ(Decoded({.jpeg = SmallJpeg(Photo({120, 60}, 1), 4000)}).size(),
+            cv::Size(kWidth, kHeight));
+}
+
 TEST(Thumbnail, UndoesTheLens) {
   View view = MakeView();
   view.lens = std::make_shared<ToyLens>(Eigen::Vector2d(200, 100), 0.8, 0.2, 1000);

@@ -47,9 +47,7 @@ ViewerScene SceneToStore() {
 
 class StoredPages : public ::testing::Test {
  protected:
-  std::string PathOf(const std::string& text) const {
-    return dir_.WriteFile("drawing.html", text);
-  }
+  std::string PathOf(const std::string& text) const { return dir_.WriteFile("drawing.html", text); }
 
   // A page as this and earlier versions write it.
   static std::string PageOf(const std::string& payload) {
@@ -146,8 +144,8 @@ TEST_F(StoredPages, OthersAndDamagedOnesAreRefused) {
 TEST_F(StoredPages, WhatIsNotInTheFileIsRefused) {
   using Json = nlohmann::ordered_json;
   const auto complaint = [&](const std::string& pointer, const Json& value) {
-    return ComplaintOf(PageWith(
-        [&](Json* header) { header->at(Json::json_pointer(pointer)) = value; }));
+    return ComplaintOf(
+        PageWith([&](Json* header) { header->at(Json::json_pointer(pointer)) = value; }));
   };
   EXPECT_THAT(complaint("/version", 2), HasSubstr("another version"));
   EXPECT_THAT(complaint("/arrays/cloudPositions/offset", -8), HasSubstr("not in the file"));

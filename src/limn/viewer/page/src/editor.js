@@ -83,7 +83,8 @@ export class Editor {
     const [left] = this.kept.left();
     if (!left) return;
     const name = left.count === 1 ? 'edit' : 'edits';
-    const changed = left.fingerprint === this.kept.fingerprint ? '' : ' The drawing has changed since.';
+    const changed =
+      left.fingerprint === this.kept.fingerprint ? '' : ' The drawing has changed since.';
     this.on.offer(
       `${count(left.count)} ${name} of ${moment(left.time)} were never downloaded.${changed}`,
       [
