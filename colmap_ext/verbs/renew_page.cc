@@ -34,9 +34,10 @@ void Renew(const Project& project, Console* console) {
             {std::move(page.cloud), std::move(thumbnails), std::move(page.report_json)}, console);
 }
 
-void SayOldPage(const Project& project, const std::string& reason, Console* console) {
-  console->Say("WARNING: " + project.DrawingPath(kViewerPage).string() +
-               " is older than the drawing, and was not renewed (" + reason +
+void SayOldPage(const Project& project, std::string reason, Console* console) {
+  const std::string path = project.DrawingPath(kViewerPage).string();
+  if (reason.starts_with(path + ": ")) reason.erase(0, path.size() + 2);
+  console->Say("WARNING: " + path + " is older than the drawing, and was not renewed (" + reason +
                "): drawing_viewer makes it anew");
 }
 

@@ -16,22 +16,23 @@ let browser;
 before(async () => (browser = await launch()));
 after(() => browser?.close());
 
-// Notices of the page that is served with these files beside it, once it has asked for the drawing.
+// Notices of the page that is served with these files beside it.
 async function noticesOf(files) {
+  const asked = [];
   const server = createServer((request, response) => {
+    asked.push(request.url);
     const bytes = files[request.url];
     response.writeHead(bytes ? 200 : 404);
     response.end(bytes);
   });
   await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
   const context = await newContext(browser);
-  const asked = context.waitForEvent('requestfinished', ({ url }) => /json$/.test(url()));
   const url = `http://127.0.0.1:${server.address().port}/drawing.html`;
   const { page } = await openAtFirst(context, url);
-  await asked;
-  await page.waitForTimeout(300);
+  await page.evaluate(() => window.limnViewer.whenChecked);
   const notices = await page.locator('#notices .notice span').allTextContents();
   await context.close();
+  assert.deepEqual(asked, ['/drawing.html', '/drawing.json']);
   await new Promise((closed) => server.close(closed));
   return notices;
 }

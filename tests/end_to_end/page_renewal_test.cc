@@ -74,8 +74,9 @@ class PageRenewal : public ::testing::Test {
   void ExpectLeft(const std::string& page, const std::string& reason) const {
     const LimnRun run = Run("drawing_aligner");
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_THAT(run.out, AllOf(HasSubstr("WARNING: " + Page() + " is older than the drawing"),
-                               HasSubstr(reason), HasSubstr("drawing_viewer makes it anew")));
+    EXPECT_THAT(run.out,
+                AllOf(HasSubstr("WARNING: " + Page() + " is older than the drawing"),
+                      HasSubstr("renewed (" + reason), HasSubstr("drawing_viewer makes it anew")));
     EXPECT_EQ(CountWarnings(run.out), 1) << run.out;
     EXPECT_TRUE(ReadDrawingJson((scene_ / "drawing.json").string()).metadata.alignment.has_value());
     EXPECT_TRUE(ReadTree(scene_.output()).at("drawing.html") == page);

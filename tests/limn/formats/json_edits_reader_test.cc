@@ -12,6 +12,7 @@ namespace limn {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 const std::string kRef = R"({"id": 4, "closed": false, "points": [[0, 0, 0], [1, 0.5, 0]]})";
 

@@ -54,7 +54,7 @@ export class App {
     this.eye.arrive(this.eye.firstState());
     this.stage.move();
     this.editor.offerKept();
-    this.checkFreshness();
+    this.whenChecked = this.checkFreshness(); // for scripts
   }
 
   async checkFreshness() {
