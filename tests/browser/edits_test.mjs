@@ -228,7 +228,9 @@ test('the message says how many links are selected, also after deletions', () =>
     assert.match(await page.locator('#edit-selection').textContent(), /^Nothing is selected/);
     await clickLink(page, 4, 4);
     assert.equal(await message(page), '1 link selected.');
-    await clickLink(page, 4, 4, { shift: true });
+    await clickLink(page, 9, 10, { shift: true });
+    assert.equal(await message(page), '2 links selected.');
+    await press(page, 'Escape');
     assert.equal(await message(page), '0 links selected.');
   }));
 

@@ -200,7 +200,7 @@ TEST_F(PageRenewal, OtherAndDamagedFilesAreLeft) {
   const std::string whole = ReadTree(scene_.output()).at("drawing.html");
   for (const auto& [page, reason] : std::vector<std::pair<std::string, std::string>>{
            {"<!doctype html><p>my notes</p>", "is not a page of limn"},
-           {whole.substr(0, whole.find("id=\"payload\"") + 1000), "cut off"}}) {
+           {whole.substr(0, whole.find("id=\"payload\"") + 1000), "is cut off"}}) {
     Write("drawing.html", page);
     ExpectLeft(page, reason);
   }
