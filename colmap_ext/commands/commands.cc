@@ -20,6 +20,7 @@
 #include "colmap_ext/verbs/refine.h"
 #include "colmap_ext/verbs/refine_cameras.h"
 #include "colmap_ext/verbs/regularize.h"
+#include "colmap_ext/verbs/renew_page.h"
 #include "colmap_ext/verbs/sketch.h"
 #include "colmap_ext/verbs/view.h"
 
@@ -39,7 +40,9 @@ int RunOnProject(const Command& command, int argc, const char* const* argv,
   SayRetired(*parser, console.get());
   verb->Prepare(&options, console.get());
   options.layout.starts_from = verb->StartsFrom(options);
-  verb->Run(Project(options, console.get()), options, console.get());
+  const Project project(options, console.get());
+  verb->Run(project, options, console.get());
+  if (verb->WritesDrawing()) RenewPage(project, console.get());
   return 0;
 }
 

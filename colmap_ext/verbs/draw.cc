@@ -12,6 +12,7 @@
 #include "colmap_ext/verbs/draw_shards.h"
 #include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/refined_cameras.h"
+#include "colmap_ext/verbs/renew_page.h"
 #include "colmap_ext/verbs/run_report.h"
 #include "colmap_ext/verbs/trust.h"
 #include "limn/pipeline/tiled_scene.h"
@@ -164,7 +165,11 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
                  console);
   }
   const Trust trust = ReportTrust(project.view_set(), drawing, console);
-  if (options.page) WritePageWithReport(project, drawing, options, trust, console);
+  if (options.page) {
+    WritePageWithReport(project, drawing, options, trust, console);
+  } else {
+    WarnOfOldPage(project, "--page 0", console);
+  }
   drawn->keep();
   RemoveOtherCameras(project, replaced_cameras, cameras, console);
   console->SayTotalTime();

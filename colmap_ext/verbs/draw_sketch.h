@@ -22,6 +22,7 @@ class DrawSketchVerb : public Verb {
   void AddFileOptions(OptionParser* parser) override;
   void Prepare(RunOptions* options, Console* console) override;
   std::vector<std::string> StartsFrom(const RunOptions& options) const override;
+  bool WritesDrawing() const override { return true; }
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 
  private:

@@ -26,8 +26,10 @@ DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path) {
 
 DrawingInScene ReadDrawingInScene(const Scene& scene, const std::string& path) {
   DrawingFile file = ReadDrawingOf(scene, path);
-  return {Moved(std::move(file.graph), -scene.origin()), std::move(file.metadata), scene.views(),
-          nullptr};
+  DrawingInScene drawing = {Moved(std::move(file.graph), -scene.origin()), std::move(file.metadata),
+                            scene.views(), nullptr};
+  drawing.fingerprint = FingerprintOf(path);
+  return drawing;
 }
 
 }  // namespace limn::colmap_ext

@@ -23,6 +23,8 @@ struct DrawingInScene {
   std::shared_ptr<const std::vector<ImageCurves>> curves;
   // Whether sigmas have the share of cameras (AddShareOfCameras), or hold if these are right.
   bool has_share_of_cameras = false;
+  // Of the file that it was read from (FingerprintOf); empty if it was made in memory.
+  std::string fingerprint = {};
 };
 
 // Of the scene's views, and the provenance of a result made from them.

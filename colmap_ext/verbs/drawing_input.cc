@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "colmap_ext/verbs/limap_model.h"
+#include "limn/cache/content_hash.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -60,6 +62,18 @@ std::string FindDrawing(const LayoutOptions& workspace, DrawingChoice choice,
   std::vector<fs::path> folders = {ResolveLayout(workspace).output.drawing_dir};
   if (folders.front() != folder) folders.push_back(folder);
   return FirstDrawing(folders, choice, path_option);
+}
+
+std::string FingerprintOf(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return "";
+  std::ifstream file = OpenFile(path);
+  ContentHash hash;
+  std::vector<char> block(1 << 20);
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
+    hash.Add({block.data(), static_cast<size_t>(file.gcount())});
+  }
+  return hash.Hex();
 }
 
 DrawingFile ReadDrawing(const std::string& path, const std::vector<std::string>& view_names) {

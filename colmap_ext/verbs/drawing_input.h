@@ -33,6 +33,10 @@ std::string FindDrawing(const std::filesystem::path& folder, DrawingChoice choic
 std::string FindDrawing(const LayoutOptions& workspace, DrawingChoice choice,
                         const std::string& path_option);
 
+// Tells a state of the file from others (limn/cache/content_hash.h); empty for a folder. Throws
+// IoError.
+std::string FingerprintOf(const std::string& path);
+
 // Reads a drawing.json, or a drawing from the folder of a model of LIMAP, for these views (see
 // ReadLimapDrawing). Throws IoError.
 DrawingFile ReadDrawing(const std::string& path, const std::vector<std::string>& view_names = {});

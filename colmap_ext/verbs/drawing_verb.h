@@ -34,6 +34,8 @@ class DrawingVerb : public Verb {
   // By default --drawing_path and ResultOptions.
   void AddFileOptions(OptionParser* parser) override;
 
+  bool WritesDrawing() const override { return true; }
+
   // By default drawing.json.
   std::vector<std::string> StartsFrom(const RunOptions& options) const override;
 

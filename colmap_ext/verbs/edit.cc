@@ -14,6 +14,7 @@
 #include "limn/formats/json_edits_reader.h"
 #include "limn/pipeline/refit_edited.h"
 #include "limn/util/errors.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -35,6 +36,16 @@ void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Conso
   }
 }
 
+// Edits name links by their course, so that they can be for another state of the drawing.
+void SayOtherDrawing(const DrawingStamp& of_page, const DrawingInScene& given, Console* console) {
+  const bool is_known = !of_page.fingerprint.empty() && !given.fingerprint.empty();
+  if (!is_known || of_page.fingerprint == given.fingerprint) return;
+  const std::string name = of_page.name.empty() ? "another drawing" : Printable(of_page.name);
+  console->Say("WARNING: the edits were made in a page of " + name +
+               " as it is no longer, or of another folder: what they name is looked for by its "
+               "course");
+}
+
 }  // namespace
 
 void EditVerb::AddOptions(OptionParser* parser) {
@@ -46,7 +57,9 @@ void EditVerb::Prepare(RunOptions*, Console*) {
   const std::string text = ReadWholeFile(edits_path_, kMaxJsonBytes);
   ContentHash hash;
   hash.AddText(text);
-  edits_ = ParseJsonEdits(edits_path_, text);
+  EditsFile file = ParseJsonEdits(edits_path_, text);
+  edits_ = std::move(file.edits);
+  of_page_ = std::move(file.drawing);
   content_hash_ = hash.Hex();
 }
 
@@ -57,6 +70,7 @@ std::string EditVerb::Provenance(const RunOptions&, const std::string& before) c
 }
 
 DrawingInScene EditVerb::Apply(const Job& job, const DrawingInScene& given) {
+  SayOtherDrawing(of_page_, given, job.console);
   EditedDrawing edited = ApplyEdits(given.graph, given.views, Moved(edits_, -job.scene.origin()),
                                     job.options.pipeline.drawing.topology);
   auto curves = given.curves;

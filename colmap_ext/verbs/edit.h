@@ -5,6 +5,7 @@
 
 #include "colmap_ext/verbs/drawing_verb.h"
 #include "limn/editing/edits.h"
+#include "limn/model/drawing_stamp.h"
 
 namespace limn::colmap_ext {
 
@@ -24,6 +25,7 @@ class EditVerb : public DrawingVerb {
  private:
   std::string edits_path_;
   std::vector<Edit> edits_;  // in the model's coordinates
+  DrawingStamp of_page_;
   std::string content_hash_;
 };
 

@@ -106,9 +106,9 @@ DrawingMetadata InFile(const Similarity3d& file_from_model, DrawingMetadata meta
 SvgScene SceneOf(const ExporterOptions& options, const SheetInput& input, Console* console) {
   SvgSource source = options.svg;
   source.style.junctions = options.junctions;
-  return source.IsSheet() ? SceneOnSheet(source, input, console)
-                          : SceneInImage(source, options.workspace, input.graph, input.faces,
-                                         options.output_path, console);
+  return source.IsSheet()
+             ? SceneOnSheet(source, input, console)
+             : SceneInImage(source, options.workspace, input.graph, input.faces, console);
 }
 
 // Makes the scene flat, for DXF.

@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/host/world_shift.h"
+#include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/drawing_results.h"
-#include "colmap_ext/verbs/view.h"
+#include "colmap_ext/verbs/page.h"
+#include "colmap_ext/verbs/renew_page.h"
 #include "limn/model/link_selection.h"
 #include "limn/viewer/viewer_page.h"
 
@@ -143,10 +145,12 @@ Json ToJson(const Trust& trust) {
 }
 
 std::string RunReportJson(const Project& project, const RunOptions& options,
-                          const DrawingGraph& graph, const std::vector<View>& views,
-                          const Trust& trust, const TruthInput& truth, const Console& console) {
+                          const std::string& drawing_path, const DrawingGraph& graph,
+                          const std::vector<View>& views, const Trust& trust,
+                          const TruthInput& truth, const Console& console) {
   const std::vector<size_t> support = CountSupport(project.view_set(), graph);
   Json report = {{"workspace", project.layout().description},
+                 {"drawing", FingerprintOf(drawing_path)},
                  {"stages", StagesAsJson(console.log())},
                  {"warnings", console.log().warnings},
                  {"trust", ToJson(trust)},
@@ -168,16 +172,20 @@ void WritePageWithReport(const Project& project, const DrawingInScene& drawing,
                          const DrawerOptions& options, const Trust& trust, Console* console) {
   if (!HasViewerPage()) {
     console->Say("drawing.html is not written: this limn was built without the viewer");
+    WarnOfOldPage(project, "this limn was built without the viewer", console);
     return;
   }
   // Truth files are in the model's coordinates.
-  const std::string report = RunReportJson(
-      project, options.run, Moved(drawing.graph, project.origin()),
+  const std::string path = project.DrawingPath("drawing.json").string();
+  std::string report = RunReportJson(
+      project, options.run, path, Moved(drawing.graph, project.origin()),
       InImagePixels(Moved(drawing.views, project.origin())), trust, options.truth, *console);
-  ViewerOptions viewer;
-  viewer.detail = options.results.detail;
-  WriteViewerResult(project, options.run.layout.workspace_path, drawing, viewer, report,
-                    std::nullopt, console);
+  PageOptions page;
+  page.detail = options.results.detail;
+  auto cloud = MakeCloud(project, options.run.layout.workspace_path, page, console);
+  auto thumbnails = MakeThumbnails(project, drawing.views, page.thumbnail_size, {}, console);
+  WritePage(project, drawing, path, page,
+            {std::move(cloud), std::move(thumbnails), std::move(report)}, console);
 }
 
 }  // namespace limn::colmap_ext

@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cstring>
-#include <filesystem>
 
 #include "colmap_ext/host/project.h"
 #include "colmap_ext/host/world_shift.h"
@@ -12,17 +11,17 @@
 #include "limn/formats/mesh_reader.h"
 #include "limn/formats/ply_points_reader.h"
 #include "limn/geometry/point_spacing.h"
+#include "limn/pictures/thumbnail.h"
 #include "limn/plans/depth_range.h"
 #include "limn/plans/face_axes.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
+#include "limn/viewer/packing.h"
 #include "limn/visibility/face_surface.h"
 #include "limn/visibility/render_depth.h"
 
 namespace limn::colmap_ext {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kFaceView = "face:";
 // A type of what hides, beside the dense results.
@@ -172,12 +171,12 @@ void WarnOfBacks(const std::vector<DrawingFace>& faces, const Eigen::Vector3d& f
                " % of the faces, by area, turn their backs; the other side was photographed");
 }
 
-// As a reference from the folder of the picture.
-std::string RelativeTo(const fs::path& picture, const fs::path& photo) {
-  std::error_code error;
-  const fs::path folder = fs::absolute(picture).parent_path();
-  const fs::path relative = fs::proximate(fs::absolute(photo), folder, error);
-  return (error ? fs::absolute(photo) : relative).generic_string();
+// As a URL that holds it: programs open no files beside a picture, or ask for each.
+std::string EmbeddedPhoto(const Scene& scene, ViewId view) {
+  constexpr int kLongerSide = 1024;
+  const std::string jpeg = SmallJpeg(scene.images().read(view), kLongerSide);
+  ReleaseDecoded(scene.view_set());
+  return "data:image/jpeg;base64," + Base64(jpeg);
 }
 
 }  // namespace
@@ -288,7 +287,7 @@ SvgScene SceneOnSheet(const SvgSource& source, const SheetInput& input, Console*
 
 SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
                       const DrawingGraph& graph, const std::vector<DrawingFace>& faces,
-                      const std::string& output_path, Console* console) {
+                      Console* console) {
   RunOptions options;
   options.layout = workspace;
   const Scene project(ChooseLayout(options.layout, console), options, console);
@@ -299,9 +298,7 @@ SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
   if (source.photo && project.view_set().Window(view)) {
     throw OptionError("photo = 1: the view is a part of a panorama");
   }
-  if (source.photo) {
-    scene.picture.style.photo = RelativeTo(output_path, project.view_set().files[view].image_path);
-  }
+  if (source.photo) scene.picture.style.photo = EmbeddedPhoto(project, view);
   if (source.show_hidden) return scene;
   const bool by_faces =
       source.dense.dense_type == kFacesType ||

@@ -79,6 +79,6 @@ SvgScene SceneOnSheet(const SvgSource& source, const SheetInput& input, Console*
 // dense results. Also throws OptionError for an image that the model does not have.
 SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
                       const DrawingGraph& graph, const std::vector<DrawingFace>& faces,
-                      const std::string& output_path, Console* console);
+                      Console* console);
 
 }  // namespace limn::colmap_ext

@@ -29,6 +29,8 @@ class Verb {
   virtual void Prepare(RunOptions*, Console*) {}
   // After that, which results it continues from (see LayoutOptions::starts_from).
   virtual std::vector<std::string> StartsFrom(const RunOptions&) const { return {}; }
+  // Whether it writes a drawing into the output folder, whose page is then made anew (RenewPage).
+  virtual bool WritesDrawing() const { return false; }
   // Checks the files to be written, works, and writes them. Throws what the work throws.
   virtual void Run(const Project& project, const RunOptions& options, Console* console) = 0;
 };

@@ -39,16 +39,39 @@ export function readJson(name) {
   return JSON.parse(readFileSync(join(PAGES, name), 'utf8'));
 }
 
-// Opens a page, by its name there or its path, and waits until it has been drawn. `troubles` collects errors, warnings and requests.
-export async function open(browser, name, options = {}) {
-  const context = await browser.newContext({
+export const PHONE = {
+  viewport: { width: 390, height: 844 },
+  deviceScaleFactor: 2,
+  hasTouch: true,
+  isMobile: true,
+};
+
+export function newContext(browser, options = {}) {
+  return browser.newContext({
     viewport: { width: 1100, height: 700 },
     reducedMotion: 'reduce',
     colorScheme: 'light',
     ...options,
   });
+}
+
+// Opens a page, by its name there or its path, and waits until it has been drawn, as Home shows it. `troubles` collects errors, warnings and requests.
+export async function open(browser, name, options = {}) {
+  const opened = await openAtFirst(await newContext(browser, options), name);
+  await opened.page.evaluate(() => {
+    const { eye, stage } = window.limnViewer;
+    eye.arrive(eye.homeState());
+    stage.move();
+  });
+  await rest(opened.page);
+  return opened;
+}
+
+// The same, as a reader sees it first. `name` may be a URL.
+export async function openAtFirst(context, name) {
   const page = await context.newPage();
-  const url = pathToFileURL(resolve(PAGES, name)).href;
+  const isUrl = name.startsWith('http:');
+  const url = isUrl ? name : pathToFileURL(resolve(PAGES, name)).href;
   const troubles = [];
   page.on('console', (message) => {
     if (['error', 'warning'].includes(message.type())) troubles.push(message.text());

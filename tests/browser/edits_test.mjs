@@ -212,6 +212,28 @@ test('links are selected by kind and by length', () =>
     assert.deepEqual(await selected(page), []);
   }));
 
+test('the message says how many links are selected, also after deletions', () =>
+  withPage(async (page) => {
+    await openPanel(page);
+    await page.locator('#pick-kind').selectOption('tentative');
+    await button(page, 'Select kind').click();
+    assert.equal(await message(page), '1 link selected.');
+    await clickLink(page, 0, 4, { shift: true });
+    await clickLink(page, 4, 4, { shift: true });
+    assert.equal(await message(page), '3 links selected.');
+    await button(page, 'Show deleted').click();
+    await press(page, 'Delete');
+    assert.equal(await message(page), '0 links selected.');
+    assert.deepEqual(await selected(page), []);
+    assert.match(await page.locator('#edit-selection').textContent(), /^Nothing is selected/);
+    await clickLink(page, 4, 4);
+    assert.equal(await message(page), '1 link selected.');
+    await clickLink(page, 9, 10, { shift: true });
+    assert.equal(await message(page), '2 links selected.');
+    await press(page, 'Escape');
+    assert.equal(await message(page), '0 links selected.');
+  }));
+
 test('deleted links are gone, come back by undo, and are ghosts that can be restored', () =>
   withPage(async (page) => {
     await openPanel(page);

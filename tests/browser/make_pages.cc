@@ -1,6 +1,7 @@
 // make_pages <folder>: the pages that the browser tests open.
 //   wires.html, wires.json    a synthetic scene and what its page must show
 //   edit.html, edit.json      links to edit
+//   kept/, renewed/           the same of a drawing.json, and of another state of it
 //   large.html, many.html     for tests/bench
 //   day/, distorted/          the truth of the sample scene over its photographs, made by
 //                             `limn drawing_viewer`; distorted/ has a lens
@@ -77,6 +78,11 @@ bool MakePages(const fs::path& folder) {
   const ViewerScene edit = EditScene();
   WritePage(folder / "edit.html", edit);
   WriteFileAtomically((folder / "edit.json").string(), EditExpectations(edit).dump());
+  for (const std::string name : {"kept", "renewed"}) {
+    ViewerScene scene = edit;
+    scene.drawing = {"drawing.json", name};
+    WritePage(folder / name / "drawing.html", scene);
+  }
   WritePage(folder / "large.html", LargeScene());
   WritePage(folder / "many.html", ManyLinksScene());
   return MakeSamplePage(folder / "day", "day") && MakeSamplePage(folder / "distorted", "distorted");

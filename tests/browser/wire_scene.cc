@@ -99,7 +99,7 @@ void AddViews(ViewerScene* scene) {
     view.camera.cy -= 25 - 8 * v;
     view.camera.fy *= 1.03;
     view.cam_from_world.translation -= view.cam_from_world.rotation * kFarAway;
-    const Thumbnail made = MakeThumbnail(PlainPhoto(view), view, 320);
+    const Thumbnail made = MakeThumbnail(PlainPhoto(view), view, {320});
     scene->thumbnails.push_back({made.min_px, made.max_px, made.jpeg});
     scene->views.push_back(view);
   }

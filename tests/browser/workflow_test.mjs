@@ -136,12 +136,30 @@ async function download(page) {
   await (await waiting).saveAs(inFolder('edits.json'));
 }
 
+// The page shows the edited drawing, and says that the report is of the drawing before.
+async function assertFollows(edited) {
+  const { page, troubles } = await open(browser, inFolder('out/drawing.html'));
+  const numLinks = await page.evaluate(() => window.limnViewer.drawing.numLinks);
+  assert.equal(numLinks, edited.links.length);
+  assert.match(await page.locator('#panel-report').textContent(), /has changed since this run/);
+  assert.match(await page.locator('#panel-report').textContent(), /swept sketch/);
+  assert.deepEqual(troubles, []);
+  await page.context().close();
+}
+
 test('the file that the page downloads is applied in full, and the plan is a sound DXF file', async () => {
   limn('automatic_drawer', ...SMALL);
   limn('drawing_aligner');
   const drawn = readDrawing();
   const { page, troubles } = await open(browser, inFolder('out/drawing.html'));
   await lookThrough(page, 0);
+  // drawing_aligner has made it anew: it shows the world, and edits go back to the model.
+  const { zIsUp, turn } = await page.evaluate(() => {
+    const { drawing } = window.limnViewer;
+    return { zIsUp: drawing.zIsUp, turn: drawing.shownFromModel.translation };
+  });
+  assert.equal(zIsUp, true);
+  assert.ok(Math.hypot(...turn) > 0.01);
   await edit(page);
   await download(page);
   assert.deepEqual(troubles, []);
@@ -155,6 +173,7 @@ test('the file that the page downloads is applied in full, and the plan is a sou
   const numJoined = / are one$/m.test(told) ? 1 : 0;
   assert.equal(edited.links.length, drawn.links.length - 2 + 1 - numJoined);
   assert.equal(edited.dimensions.length, 1);
+  await assertFollows(edited);
   const byHand = ({ kind, kind_confidence: confidence }) => kind === 'shadow' && confidence === 1;
   assert.ok(edited.links.some(byHand));
 

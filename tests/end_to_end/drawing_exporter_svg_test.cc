@@ -71,7 +71,10 @@ TEST_F(SvgExport, PicturesOfImages) {
   const std::string picture =
       Export({"--view", "view_09.jpg", "--workspace_path", kDay, "--photo", "1"});
   EXPECT_THAT(picture, AllOf(HasSubstr("width=\"640\""), HasSubstr("height=\"480\"")));
-  EXPECT_THAT(picture, AllOf(HasSubstr("link_0"), HasSubstr("images/view_09.jpg")));
+  EXPECT_THAT(picture, AllOf(HasSubstr("link_0"), HasSubstr("As seen in view_09.jpg")));
+  // The photograph is in the file: "/9j/" begins a JPEG file in base64.
+  EXPECT_THAT(picture, HasSubstr("<image href=\"data:image/jpeg;base64,/9j/"));
+  EXPECT_GT(picture.size(), 20000u);
 }
 
 int CountLinks(const std::string& svg) {

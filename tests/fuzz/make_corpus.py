@@ -242,6 +242,13 @@ def curves():
         f'{{"edit": "merge", "links": [{ref % 1}, {ref % 2}]}},\n'
         f'{{"edit": "dimension", "from": {place}, "to": {place}, "shift": [0, 0, 1]}},\n'
         '{"edit": "remove_dimension", "from": [0, 0, 0], "to": [1, 0, 0]}]}\n')
+    header = (b'{"format":"limn-viewer","version":1,"center":[0,0,0],"shownFromModel":{"scale":1,"rotation":'
+              b'[1,0,0,0,1,0,0,0,1],"translation":[0,0,0]},"detail":"normal","views":[{"name":"a","width":4,"height":3,'
+              b'"fx":4,"fy":4,"cx":2,"cy":1,"region":{"min":[0,0],"max":[3,2]},"thumbnail":{"offset":0,"length":4,'
+              b'"min":[0,0],"max":[3,2]}}],"report":{},"settings":{},"arrays":{"cloudPositions":{"type":"f32","offset":0,'
+              b'"length":3},"cloudColors":{"type":"u8","offset":16,"length":3},"thumbnails":{"type":"u8","offset":24,'
+              b'"length":4}}}')
+    put("viewer_payload", "point", struct.pack("<I", len(header)) + header + bytes(28))
     put("drawing_json", "corner", """{"format": "limn-drawing", "format_version": 1,
 "views": ["a.png", "b.png"], "options": {"Sketch": {"max_gap_px": 3}},
 "nodes": [

@@ -78,7 +78,7 @@ Edit ToEdit(const JsonValue& value) {
   value.At("edit").FailUnknown("edit");
 }
 
-std::vector<Edit> ToEdits(const JsonValue& file) {
+EditsFile ToEditsFile(const JsonValue& file) {
   if (file.At("format").Text() != kFormat) {
     file.At("format").Fail("not \"" + std::string(kFormat) + "\"");
   }
@@ -88,25 +88,28 @@ std::vector<Edit> ToEdits(const JsonValue& file) {
         .Fail("version " + std::to_string(version) + "; this program reads version " +
               std::to_string(kVersion));
   }
-  std::vector<Edit> edits;
+  EditsFile edits;
+  if (const auto drawing = file.Find("drawing")) {
+    edits.drawing = {drawing->At("name").Text(), drawing->At("fingerprint").Text()};
+  }
   for (const JsonValue& edit : file.At("edits").Items(0, JsonValue::kNoLimit)) {
-    edits.push_back(ToEdit(edit));
+    edits.edits.push_back(ToEdit(edit));
   }
   return edits;
 }
 
 }  // namespace
 
-std::vector<Edit> ParseJsonEdits(const std::string& name, const std::string& text) {
+EditsFile ParseJsonEdits(const std::string& name, const std::string& text) {
   try {
     const auto json = ParseJson(name, text);
-    return ToEdits(JsonValue(json));
+    return ToEditsFile(JsonValue(json));
   } catch (const std::exception&) {
     RethrowJsonError(name);
   }
 }
 
-std::vector<Edit> ReadJsonEdits(const std::string& path) {
+EditsFile ReadJsonEdits(const std::string& path) {
   return ParseJsonEdits(path, ReadWholeFile(path, kMaxJsonBytes));
 }
 

@@ -4,11 +4,20 @@
 #include <vector>
 
 #include "limn/editing/edits.h"
+#include "limn/model/drawing_stamp.h"
 
 namespace limn {
 
+struct EditsFile {
+  std::vector<Edit> edits;
+  // The drawing of the page that they were made in.
+  DrawingStamp drawing;
+};
+
 // Reads the edits of a drawing that were made by hand, in the order in which they are applied:
-//   {"format": "limn_edits", "format_version": 1, "edits": [EDIT, ...]}
+//   {"format": "limn_edits", "format_version": 1,
+//    "drawing": {"name": TEXT, "fingerprint": TEXT}, "edits": [EDIT, ...]}
+// "drawing" may be missing.
 // EDIT is one of
 //   {"edit": "delete"|"restore", "links": [REF, ...]}
 //   {"edit": "set_kind", "links": [REF, ...],
@@ -23,9 +32,9 @@ namespace limn {
 // {"link": REF, "end": 0|1}; PLACE: [x, y, z] in the model's coordinates, as in drawing.json.
 // Members of other names are ignored. Throws IoError that names the place, such as
 // edits[3].links[0].points[2].
-std::vector<Edit> ReadJsonEdits(const std::string& path);
+EditsFile ReadJsonEdits(const std::string& path);
 
 // The same from the text of a file, called `name` in messages.
-std::vector<Edit> ParseJsonEdits(const std::string& name, const std::string& text);
+EditsFile ParseJsonEdits(const std::string& name, const std::string& text);
 
 }  // namespace limn

@@ -14,7 +14,8 @@
 namespace limn {
 namespace {
 
-constexpr int kJpegQuality = 82;
+constexpr int kJpegQuality = 75;
+constexpr int kSmallestSide = 16;
 
 // BGR, as OpenCV encodes it.
 cv::Mat BytesOf(const Image& photo) {
@@ -73,10 +74,35 @@ cv::Mat Undistorted(const cv::Mat& stored, const View& view, const Thumbnail& th
   return virtual_image;
 }
 
+std::string JpegOf(const cv::Mat& picture) {
+  std::vector<uchar> jpeg;
+  if (!cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality})) {
+    throw std::runtime_error("a small picture of a photograph cannot be encoded");
+  }
+  return {jpeg.begin(), jpeg.end()};
+}
+
+int ScaledSide(int side, double factor) {
+  return std::max(1, static_cast<int>(std::lround(factor * side)));
+}
+
+// Bytes go about with the number of pixels.
+void SetJpeg(cv::Mat picture, size_t max_bytes, Thumbnail* thumbnail) {
+  while (true) {
+    thumbnail->jpeg = JpegOf(picture);
+    thumbnail->longer_side = std::max(picture.cols, picture.rows);
+    const double share = static_cast<double>(max_bytes) / thumbnail->jpeg.size();
+    if (share >= 1 || thumbnail->longer_side <= kSmallestSide) return;
+    const double factor = std::max(0.95 * std::sqrt(share),
+                                   kSmallestSide / static_cast<double>(thumbnail->longer_side));
+    picture = Shrunk(picture, ScaledSide(picture.cols, factor), ScaledSide(picture.rows, factor));
+  }
+}
+
 }  // namespace
 
-Thumbnail MakeThumbnail(const Image& photo, const View& view, int longer_side) {
-  LIMN_CHECK_OPTION(longer_side, >= 16);
+Thumbnail MakeThumbnail(const Image& photo, const View& view, const ThumbnailOptions& options) {
+  CheckOption(options.longer_side >= kSmallestSide, "longer_side", options.longer_side, ">= 16");
   if (photo.ViewWidth() != view.camera.width || photo.ViewHeight() != view.camera.height) {
     throw InputError(view.name + ": the photograph has not the size of its camera");
   }
@@ -84,18 +110,21 @@ Thumbnail MakeThumbnail(const Image& photo, const View& view, int longer_side) {
   SetRectangle(view, &thumbnail);
   const Eigen::Vector2d extent = thumbnail.max_px - thumbnail.min_px;
   if (!(extent.minCoeff() > 0)) return thumbnail;
-  const double shrink = std::max(1.0, extent.maxCoeff() / longer_side);
+  const double shrink = std::max(1.0, extent.maxCoeff() / options.longer_side);
   const int width = std::max(1, static_cast<int>(std::lround(extent.x() / shrink)));
   const int height = std::max(1, static_cast<int>(std::lround(extent.y() / shrink)));
   const cv::Mat bytes = BytesOf(photo);
   const cv::Mat picture =
       view.lens ? Undistorted(bytes, view, thumbnail, width, height) : Shrunk(bytes, width, height);
-  std::vector<uchar> jpeg;
-  if (!cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality})) {
-    throw std::runtime_error(view.name + ": the thumbnail cannot be encoded");
-  }
-  thumbnail.jpeg.assign(jpeg.begin(), jpeg.end());
+  SetJpeg(picture, options.max_bytes, &thumbnail);
   return thumbnail;
+}
+
+std::string SmallJpeg(const Image& photo, int longer_side) {
+  const double factor =
+      std::min(1.0, longer_side / static_cast<double>(std::max(photo.width, photo.height)));
+  return JpegOf(
+      Shrunk(BytesOf(photo), ScaledSide(photo.width, factor), ScaledSide(photo.height, factor)));
 }
 
 }  // namespace limn

@@ -290,11 +290,13 @@ Json AddViews(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadAr
   return views;
 }
 
-Json ReportOf(const ViewerScene& scene) {
-  if (scene.report_json.empty()) return nullptr;
-  Json report = ParseJson("report of the page", scene.report_json);
-  if (!report.is_object()) throw InputError("the report of a page must be a JSON object");
-  return report;
+Json ObjectOf(const char* what, const std::string& text) {
+  if (text.empty()) return nullptr;
+  Json object = ParseJson(std::string(what) + " of the page", text);
+  if (!object.is_object()) {
+    throw InputError(std::string("the ") + what + " of a page must be a JSON object");
+  }
+  return object;
 }
 
 }  // namespace
@@ -311,13 +313,16 @@ std::string EncodePayload(const ViewerScene& scene) {
   AddFaces(scene, center, &arrays);
   AddDimensions(scene, center, &arrays);
   AddCloud(scene, center, &arrays);
-  Json header = {{"format", "limn-viewer"}, {"version", 1}, {"title", scene.title}};
+  Json header = {{"format", kPageFormat}, {"version", kPageVersion}, {"title", scene.title}};
   header["center"] = ToJson(center);
   header["shownFromModel"] = ToJson(scene.shown_from_model);
   header["unit"] = scene.unit;
+  header["zIsUp"] = scene.z_is_up;
+  header["drawing"] = {{"name", scene.drawing.name}, {"fingerprint", scene.drawing.fingerprint}};
   header["detail"] = DetailName(scene.detail);
   header["views"] = AddViews(scene, center, &arrays);
-  header["report"] = ReportOf(scene);
+  header["report"] = ObjectOf("report", scene.report_json);
+  header["settings"] = ObjectOf("settings", scene.settings_json);
   header["arrays"] = arrays.header();
   // Names of files need not be UTF-8.
   std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace);

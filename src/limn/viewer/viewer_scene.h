@@ -9,6 +9,7 @@
 
 #include "limn/geometry/similarity3.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/drawing_stamp.h"
 #include "limn/model/link_selection.h"
 #include "limn/model/view.h"
 
@@ -37,6 +38,10 @@ struct ViewerScene {
   Similarity3d shown_from_model;
   // The unit of displayed lengths.
   std::string unit = "model units";
+  // Whether z points up, as in the world.
+  bool z_is_up = false;
+  // The file that the graph is from.
+  DrawingStamp drawing;
   DrawingGraph graph;
   // What of it is shown at first.
   Detail detail = Detail::kNormal;
@@ -47,6 +52,8 @@ struct ViewerScene {
   std::vector<ViewerPoint> cloud;
   // The text of a JSON object for the tab "Report" (members: page/README.md); empty = no such tab.
   std::string report_json;
+  // The text of a JSON object for those who make the page anew; empty = none. The page ignores it.
+  std::string settings_json;
 };
 
 }  // namespace limn

@@ -12,6 +12,7 @@ namespace limn {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 const std::string kRef = R"({"id": 4, "closed": false, "points": [[0, 0, 0], [1, 0.5, 0]]})";
 
@@ -31,17 +32,19 @@ std::string ComplaintOf(const std::string& text) {
 
 TEST(JsonEdits, ReadsEveryEdit) {
   const std::string place = R"({"link": )" + kRef + R"(, "at": [1, 2, 3]})";
-  const std::vector<Edit> edits = ParseJsonEdits(
-      "e.json",
-      FileOf(R"({"edit": "delete", "links": [)" + kRef + ", " + kRef +
-             R"(]}, {"edit": "restore", "links": [)" + kRef +
-             R"(]}, {"edit": "set_kind", "links": [)" + kRef + R"(], "kind": "shadow"},)" +
-             R"({"edit": "split", "link": )" + kRef + R"(, "at": [1, 2, 3]},)" +
-             R"({"edit": "join", "ends": [{"link": )" + kRef + R"(, "end": 0}, {"link": )" + kRef +
-             R"(, "end": 1}]}, {"edit": "merge", "links": [)" + kRef + ", " + kRef +
-             R"(]}, {"edit": "dimension", "from": )" + place + R"(, "to": )" + place +
-             R"(, "shift": [0, 0, 2]},)" +
-             R"({"edit": "remove_dimension", "from": [1, 0, 0], "to": [0, 1, 0]})"));
+  const std::vector<Edit> edits =
+      ParseJsonEdits(
+          "e.json",
+          FileOf(R"({"edit": "delete", "links": [)" + kRef + ", " + kRef +
+                 R"(]}, {"edit": "restore", "links": [)" + kRef +
+                 R"(]}, {"edit": "set_kind", "links": [)" + kRef + R"(], "kind": "shadow"},)" +
+                 R"({"edit": "split", "link": )" + kRef + R"(, "at": [1, 2, 3]},)" +
+                 R"({"edit": "join", "ends": [{"link": )" + kRef + R"(, "end": 0}, {"link": )" +
+                 kRef + R"(, "end": 1}]}, {"edit": "merge", "links": [)" + kRef + ", " + kRef +
+                 R"(]}, {"edit": "dimension", "from": )" + place + R"(, "to": )" + place +
+                 R"(, "shift": [0, 0, 2]},)" +
+                 R"({"edit": "remove_dimension", "from": [1, 0, 0], "to": [0, 1, 0]})"))
+          .edits;
   ASSERT_EQ(edits.size(), 8u);
   const auto& links = std::get<DeleteLinks>(edits[0]).links;
   ASSERT_EQ(links.size(), 2u);
@@ -60,7 +63,18 @@ TEST(JsonEdits, ReadsEveryEdit) {
   for (const Edit& edit : edits) names.emplace_back(EditName(edit));
   EXPECT_THAT(names, ElementsAre("delete", "restore", "set_kind", "split", "join", "merge",
                                  "dimension", "remove_dimension"));
-  EXPECT_TRUE(ParseJsonEdits("e.json", FileOf("")).empty());
+  EXPECT_TRUE(ParseJsonEdits("e.json", FileOf("")).edits.empty());
+}
+
+TEST(JsonEdits, TellsTheDrawingOfThePage) {
+  EXPECT_EQ(ParseJsonEdits("e.json", FileOf("")).drawing.fingerprint, "");
+  const EditsFile file = ParseJsonEdits("e.json", R"({"format": "limn_edits", "format_version": 1,
+                    "drawing": {"name": "drawing.json", "fingerprint": "00ff"}, "edits": []})");
+  EXPECT_EQ(file.drawing.name, "drawing.json");
+  EXPECT_EQ(file.drawing.fingerprint, "00ff");
+  EXPECT_THAT(ComplaintOf(R"({"format": "limn_edits", "format_version": 1,
+                              "drawing": {"name": 1, "fingerprint": ""}, "edits": []})"),
+              HasSubstr("drawing.name"));
 }
 
 TEST(JsonEdits, ComplaintsNameThePlace) {

@@ -58,7 +58,7 @@ Eigen::Vector2d BrightCenter(const Thumbnail& thumbnail) {
 TEST(Thumbnail, CoversThePhotographAndIsOfTheSizeAskedFor) {
   for (const int channels : {1, 3}) {
     const Eigen::Vector2d center(120, 60);
-    const Thumbnail thumbnail = MakeThumbnail(Photo(center, channels), MakeView(), 100);
+    const Thumbnail thumbnail = MakeThumbnail(Photo(center, channels), MakeView(), {100});
     EXPECT_EQ(thumbnail.min_px, Eigen::Vector2d(-0.5, -0.5));
     EXPECT_EQ(thumbnail.max_px, Eigen::Vector2d(399.5, 199.5));
     EXPECT_EQ(Decoded(thumbnail).size(), cv::Size(100, 50));
@@ -67,8 +67,38 @@ TEST(Thumbnail, CoversThePhotographAndIsOfTheSizeAskedFor) {
 }
 
 TEST(Thumbnail, IsNeverEnlarged) {
-  const Thumbnail thumbnail = MakeThumbnail(Photo({200, 100}, 3), MakeView(), 4000);
+  const Thumbnail thumbnail = MakeThumbnail(Photo({200, 100}, 3), MakeView(), {4000});
   EXPECT_EQ(Decoded(thumbnail).size(), cv::Size(kWidth, kHeight));
+}
+
+// Of noise, which takes many bytes.
+Image NoisyPhoto() {
+  Image photo{kWidth, kHeight, 3, {}, {}};
+  uint32_t state = 1;
+  for (int i = 0; i < 3 * kWidth * kHeight; ++i) {
+    state = 1664525 * state + 1013904223;
+    photo.data.push_back(static_cast<float>(state >> 24));
+  }
+  return photo;
+}
+
+TEST(Thumbnail, IsSmallerWhereItWouldTakeTooManyBytes) {
+  const Thumbnail whole = MakeThumbnail(NoisyPhoto(), MakeView(), {400});
+  EXPECT_EQ(whole.longer_side, 400);
+  ASSERT_GT(whole.jpeg.size(), 40000u);
+  const Thumbnail small = MakeThumbnail(NoisyPhoto(), MakeView(), {400, 20000});
+  EXPECT_LE(small.jpeg.size(), 20000u);
+  EXPECT_GT(small.jpeg.size(), 10000u);
+  EXPECT_EQ(Decoded(small).cols, small.longer_side);
+  EXPECT_NEAR(Decoded(small).rows, 0.5 * small.longer_side, 1);
+  EXPECT_EQ(small.max_px, whole.max_px);
+  EXPECT_EQ(MakeThumbnail(NoisyPhoto(), MakeView(), {400, 10}).longer_side, 16);
+}
+
+TEST(SmallJpeg, IsThePhotographAsStored) {
+  EXPECT_EQ(Decoded({.jpeg = SmallJpeg(Photo({120, 60}, 3), 100)}).size(), cv::Size(100, 50));
+  EXPECT_EQ(Decoded({.jpeg = SmallJpeg(Photo({120, 60}, 1), 4000)}).size(),
+            cv::Size(kWidth, kHeight));
 }
 
 TEST(Thumbnail, UndoesTheLens) {
@@ -77,7 +107,7 @@ TEST(Thumbnail, UndoesTheLens) {
   view.region = MakeImageRegion(view.camera, view.lens.get(), {}, 2);
   const Eigen::Vector2d virtual_center(150, 120);
   const Image photo = Photo(*view.StoredFromVirtual(virtual_center), 3);
-  const Thumbnail thumbnail = MakeThumbnail(photo, view, 200);
+  const Thumbnail thumbnail = MakeThumbnail(photo, view, {200});
   EXPECT_LT((BrightCenter(thumbnail) - virtual_center).norm(), 1.0);
   // The corners of the turned picture show nothing of the photograph.
   EXPECT_LT(Decoded(thumbnail).at<uchar>(1, 1), 20);
@@ -86,7 +116,7 @@ TEST(Thumbnail, UndoesTheLens) {
 TEST(Thumbnail, RefusesAPhotographOfAnotherSize) {
   Image photo = Photo({200, 100}, 3);
   photo.height = 100;
-  EXPECT_THROW(MakeThumbnail(photo, MakeView(), 100), InputError);
+  EXPECT_THROW(MakeThumbnail(photo, MakeView(), {100}), InputError);
 }
 
 }  // namespace

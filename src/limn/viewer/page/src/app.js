@@ -11,12 +11,14 @@ import { Drawing } from './drawing.js';
 import { DrawingPanel } from './drawing_panel.js';
 import { Editor } from './editor.js';
 import { Eye } from './eye.js';
+import { isOlderThanFile } from './freshness.js';
 import { watchPhotoGestures, watchTaps } from './gestures.js';
 import { Help } from './help.js';
 import { watchKeys } from './keyboard.js';
 import { Layers } from './layers.js';
 import { LinksPanel } from './links_panel.js';
 import { Measuring } from './measuring.js';
+import { Notices } from './notices.js';
 import { overlayGrid } from './overlays.js';
 import { PhotoBar } from './photo_bar.js';
 import { Photos } from './photos.js';
@@ -49,8 +51,17 @@ export class App {
     this.watch();
     this.setScheme(this.schemes[0].id);
     this.applyTheme();
-    this.eye.arrive(this.eye.homeState());
+    this.eye.arrive(this.eye.firstState());
     this.stage.move();
+    this.editor.offerKept();
+    this.whenChecked = this.checkFreshness(); // for scripts
+  }
+
+  async checkFreshness() {
+    const { stamp } = this.drawing;
+    if (!(await isOlderThanFile(stamp))) return;
+    const text = `This page is older than ${stamp.name}: limn drawing_viewer makes it anew.`;
+    this.notices.add(text, [{ label: 'Close', run: () => {} }]);
   }
 
   makePicture() {
@@ -76,6 +87,7 @@ export class App {
 
   makeEditor() {
     const { drawing, eye, picking, stage, layers, selection } = this;
+    this.notices = new Notices(element('notices'));
     this.editor = new Editor({
       ...{ drawing, eye, picking, stage, layers, selection },
       ...{ canvas: element('canvas'), marks: element('edit-marks') },
@@ -83,6 +95,7 @@ export class App {
         change: (hasNewLinks) => this.afterEdits(hasNewLinks),
         say: (text, isError) => this.say(text, isError),
         tool: () => this.measuring.active && this.toggleMeasuring(),
+        offer: (text, answers) => this.notices.add(text, answers),
       },
     });
     this.selection.onChange = () => this.showSelection();
@@ -115,7 +128,7 @@ export class App {
     }
     if (report) {
       const overlays = hasViews ? overlayGrid(drawing, this.photos, look) : null;
-      const content = reportPanel(report, overlays);
+      const content = reportPanel(report, drawing.stamp, overlays);
       tabs.push({ id: 'report', label: 'Report', content, isWide: true });
     }
     this.sidebar = new Sidebar(element('sidebar'), tabs);

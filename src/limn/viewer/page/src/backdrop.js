@@ -55,7 +55,7 @@ export class Backdrop {
   // Before every frame.
   update(eye) {
     const texture =
-      eye.photo === null || eye.flight ? null : this.photos.texture(eye.photo, this.onLoaded);
+      eye.photo === null || eye.flight ? null : this.photos.fullTexture(eye.photo, this.onLoaded);
     this.mesh.visible = texture !== null && this.opacity > 0;
     if (!this.mesh.visible) return;
     const { left, top, right, bottom } = pictureRectangle(eye.view());

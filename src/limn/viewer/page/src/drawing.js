@@ -99,6 +99,8 @@ export class Drawing {
     this.title = header.title;
     this.center = header.center;
     this.unit = header.unit;
+    this.zIsUp = header.zIsUp;
+    this.stamp = header.drawing; // {name, fingerprint} of the file, texts that may be empty
     this.shownFromModel = header.shownFromModel;
     this.views = header.views;
     this.numLinks = arrays.linkLength.length;

@@ -21,6 +21,7 @@ function summary(drawing) {
     ['Links', count(drawing.numStored)],
     ['Junctions', count(junctions)],
     ['Components', count(drawing.numComponents)],
+    ['Coordinates', drawing.zIsUp ? `the world's, z up, ${drawing.unit}` : "the model's"],
     [`Length, ${drawing.unit}`, number(length)],
     ['Faces', drawing.numFaces > 0 ? count(drawing.numFaces) : null],
     [`Area of the faces, ${squareOf(drawing.unit)}`, drawing.numFaces > 0 ? number(area) : null],

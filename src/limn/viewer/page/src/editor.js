@@ -10,13 +10,15 @@ import { EditState } from './edit_state.js';
 import * as edits from './edits.js';
 import { EditsPanel } from './edits_panel.js';
 import { EditsStorage } from './edits_storage.js';
-import { count } from './format.js';
+import { count, moment } from './format.js';
+import { KeptEdits } from './kept_edits.js';
 import { placeOf } from './link_refs.js';
 import { Pointing } from './pointing.js';
 import { linksInRectangle, linksOfKind, linksShorterThan } from './selection.js';
 
 export class Editor {
-  // on.change(whether there are new links), on.say(text, isError), on.tool() before one of ours begins.
+  // on.change(whether there are new links), on.say(text, isError), on.tool() before one of ours begins,
+  // on.offer(text, answers).
   constructor({ drawing, eye, picking, stage, layers, selection, canvas, marks, on }) {
     Object.assign(this, { drawing, eye, picking, stage, layers, selection, canvas, marks, on });
     this.history = new EditHistory();
@@ -24,6 +26,8 @@ export class Editor {
     this.preview = new EditPreview(stage.near);
     this.adding = false;
     this.storage = new EditsStorage(this);
+    this.kept = new KeptEdits(drawing, { trouble: (text) => this.say(text, true) });
+    this.tellsSelection = false; // whether the message says how many links are selected
     this.pointing = this.makePointing();
     const labels = make('div');
     marks.append(labels);
@@ -70,7 +74,33 @@ export class Editor {
   }
 
   say(text, isError = false) {
+    this.tellsSelection = false;
     this.on.say(text, isError);
+  }
+
+  // Edits that were left in the browser when a page was closed.
+  offerKept() {
+    const [left] = this.kept.left();
+    if (!left) return;
+    const name = left.count === 1 ? 'edit' : 'edits';
+    const changed =
+      left.fingerprint === this.kept.fingerprint ? '' : ' The drawing has changed since.';
+    this.on.offer(
+      `${count(left.count)} ${name} of ${moment(left.time)} were never downloaded.${changed}`,
+      [
+        { label: 'Take up', run: () => this.takeUp(left) },
+        { label: 'Discard', run: () => this.discard(left) },
+      ],
+    );
+  }
+
+  takeUp(left) {
+    if (this.storage.takeUp(left.text) && this.kept.flush()) this.kept.forget(left);
+  }
+
+  discard(left) {
+    this.kept.forget(left);
+    this.offerKept();
   }
 
   setColors(color, ghost, accent) {
@@ -106,11 +136,20 @@ export class Editor {
 
   markSaved() {
     this.history.markSaved();
+    this.keep();
     this.panel.showHistory(this.history);
+  }
+
+  // Of edits that are in a file none need be kept by the browser.
+  keep() {
+    const { isSaved, edits: list } = this.history;
+    if (isSaved) this.kept.drop();
+    else this.kept.keep(list.length, () => this.storage.text());
   }
 
   // Makes the picture what the edits make of the drawing.
   show() {
+    this.keep();
     const { drawing, layers } = this;
     const preview = this.state.show(this.history.edits);
     const isLarger = layers.curves.numLoaded < drawing.numLinks;
@@ -173,6 +212,7 @@ export class Editor {
     this.withLinks(this.liveSelected(), 'Select the links to delete first.', (links) =>
       edits.deletion(this.drawing, links),
     );
+    this.selection.keep((link) => this.drawing.isLive(link));
   }
 
   setKind(kind) {
@@ -216,6 +256,13 @@ export class Editor {
       canRestore: deleted.length + tentative.length > 0,
       canMerge: numLive === 2,
     });
+    if (this.tellsSelection) this.tellSelection();
+  }
+
+  tellSelection() {
+    const { size } = this.selection;
+    this.say(`${count(size)} ${size === 1 ? 'link' : 'links'} selected.`);
+    this.tellsSelection = true;
   }
 
   // Ways to select.
@@ -223,8 +270,7 @@ export class Editor {
   select(links, adds = this.adding) {
     if (adds) this.selection.add(links);
     else this.selection.set(links);
-    const { size } = this.selection;
-    this.say(`${count(size)} ${size === 1 ? 'link' : 'links'} selected.`);
+    this.tellSelection();
   }
 
   selectKind(category) {

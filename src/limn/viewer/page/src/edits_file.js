@@ -22,12 +22,13 @@ const MEMBERS = {
   remove_dimension: ({ at }) => ({ from: at[0], to: at[1] }),
 };
 
-// An edit per line.
-export function textOfEdits(edits) {
+// An edit per line. `stamp`: of the drawing that they are of.
+export function textOfEdits(edits, stamp) {
   const lines = edits.map((edit) =>
     JSON.stringify({ edit: edit.edit, ...MEMBERS[edit.edit](edit) }),
   );
-  const head = `{"format": "${FORMAT}", "format_version": ${VERSION},\n "edits": [`;
+  const drawing = stamp.fingerprint ? `\n "drawing": ${JSON.stringify(stamp)},` : '';
+  const head = `{"format": "${FORMAT}", "format_version": ${VERSION},${drawing}\n "edits": [`;
   return `${head}${lines.length > 0 ? `\n  ${lines.join(',\n  ')}\n ` : ''}]}\n`;
 }
 
@@ -106,7 +107,14 @@ const CHECKS = {
   },
 };
 
-// The edits of a file as it holds them. Throws an Error with the place and the reason.
+function checkStamp(stamp) {
+  checkObject(stamp, 'drawing');
+  check(typeof stamp.name === 'string', 'drawing.name', 'must be a text');
+  check(typeof stamp.fingerprint === 'string', 'drawing.fingerprint', 'must be a text');
+}
+
+// The edits of a file as it holds them, and the stamp of the drawing that they were made of, if it
+// has one: {edits, stamp}. Throws an Error with the place and the reason.
 export function parseEdits(text) {
   let json;
   try {
@@ -117,6 +125,7 @@ export function parseEdits(text) {
   const isOurs = typeof json === 'object' && json !== null && json.format === FORMAT;
   if (!isOurs) throw new Error(`is not a file of edits: it has no "format": "${FORMAT}"`);
   check(json.format_version === VERSION, 'format_version', `must be ${VERSION}`);
+  if (json.drawing !== undefined) checkStamp(json.drawing);
   check(Array.isArray(json.edits), 'edits', 'must be a list');
   json.edits.forEach((edit, i) => {
     const place = `edits[${i}]`;
@@ -125,7 +134,7 @@ export function parseEdits(text) {
     check(known.includes(edit.edit), `${place}.edit`, `must be one of ${known.join(', ')}`);
     CHECKS[edit.edit](edit, place);
   });
-  return json.edits;
+  return { edits: json.edits, stamp: json.drawing ?? null };
 }
 
 function numberOfDimension(drawing, at) {

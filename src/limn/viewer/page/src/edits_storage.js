@@ -14,7 +14,7 @@ export class EditsStorage {
   }
 
   text() {
-    return textOfEdits(this.editor.history.edits);
+    return textOfEdits(this.editor.history.edits, this.editor.drawing.stamp);
   }
 
   save() {
@@ -40,23 +40,42 @@ export class EditsStorage {
     const { editor } = this;
     try {
       if (file.size > MOST_BYTES) throw new Error('is too large');
-      this.replaceBy(parseEdits(await file.text()));
+      this.replaceBy(await file.text());
+      editor.markSaved();
     } catch (error) {
-      editor.show();
-      editor.say(`${file.name}: ${error.message}. Nothing was loaded.`, true);
+      this.sayFailure(file.name, error);
     }
   }
 
-  // The loaded edits instead of those that there are; undone in one step.
-  replaceBy(stored) {
+  // Those that the browser has kept, instead of those that there are. Returns whether it went well.
+  takeUp(text) {
+    try {
+      this.replaceBy(text);
+      return true;
+    } catch (error) {
+      this.sayFailure('The kept edits', error);
+      return false;
+    }
+  }
+
+  sayFailure(name, error) {
+    this.editor.show();
+    this.editor.say(`${name}: ${error.message}. Nothing was loaded.`, true);
+  }
+
+  // The edits of a file instead of those that there are; undone in one step. Throws an Error.
+  replaceBy(text) {
     const { editor } = this;
-    const list = resolveEdits(editor.drawing, stored, (before) => editor.state.show(before));
+    const { edits, stamp } = parseEdits(text);
+    const list = resolveEdits(editor.drawing, edits, (before) => editor.state.show(before));
     editor.pointing.start(null);
     editor.selection.set([]);
     editor.setEdits(list);
-    editor.markSaved();
     const missing = list.filter((edit) => numMissing(edit) > 0).length;
     const told = missing > 0 ? `; ${count(missing)} refer to what is not in this drawing` : '';
-    editor.say(`${count(list.length)} edits loaded${told}.`, missing > 0);
+    const { fingerprint } = editor.drawing.stamp;
+    const isOther = stamp && fingerprint && stamp.fingerprint !== fingerprint;
+    const other = isOther ? ', made of another state of the drawing' : '';
+    editor.say(`${count(list.length)} edits loaded${other}${told}.`, missing > 0);
   }
 }

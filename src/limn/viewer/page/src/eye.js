@@ -3,7 +3,14 @@
 import { Matrix4, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
-import { fitPicture, openingAngle, orientationOf, photoProjection } from './optics.js';
+import {
+  coverPicture,
+  fitPicture,
+  openingAngle,
+  orientationOf,
+  photoProjection,
+  project,
+} from './optics.js';
 
 const OPENING_DEG = 45;
 const FLIGHT_MS = 550;
@@ -12,11 +19,23 @@ const SAME_TURN_MS = 500;
 // A pointer that moves less, px, has been tapped.
 const TAP_PX = 5;
 
-function upOf(views) {
+function upOf({ views, zIsUp }) {
+  if (zIsUp) return new Vector3(0, 0, 1);
   const up = new Vector3();
   for (const { camFromWorld: r } of views) up.sub(new Vector3(r[3], r[4], r[5]));
   const known = up.length() > 1e-3 * views.length;
   return known ? up.normalize() : new Vector3(0, 0, 1);
+}
+
+// The view that supports the greatest length of what is shown; null if none does any.
+function viewOfMost(drawing) {
+  const lengths = new Float64Array(drawing.views.length);
+  for (let link = 0; link < drawing.numLinks; ++link) {
+    if (!drawing.isShown(link)) continue;
+    for (const view of drawing.supportingViews(link)) lengths[view] += drawing.linkLength[link];
+  }
+  const most = lengths.reduce((longest, length) => Math.max(longest, length), 0);
+  return most > 0 ? lengths.indexOf(most) : null;
 }
 
 function smooth(share) {
@@ -46,13 +65,14 @@ export class Eye {
     this.size = { width: 1, height: 1 };
     this.photo = null; // index of the view that is looked through
     this.placement = null; // of its picture on the canvas (optics.js)
+    this.fills = false; // whether the picture covers the canvas, or is seen as a whole
     this.flight = null;
     this.history = [];
     this.atStart = null; // where the controls began to move
     this.lastTurn = -Infinity;
     this.listeners = [];
     this.camera = new PerspectiveCamera(OPENING_DEG, 1);
-    this.camera.up.copy(upOf(drawing.views));
+    this.camera.up.copy(upOf(drawing));
     this.setDepthRange();
     holdTaps(canvas);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -80,8 +100,16 @@ export class Eye {
   resize(width, height) {
     this.size = { width, height };
     this.camera.aspect = width / height;
-    if (this.photo !== null) this.placement = fitPicture(this.view(), width, height);
+    this.placement = this.placePicture();
     this.project();
+  }
+
+  placePicture() {
+    if (this.photo === null) return null;
+    const { width, height } = this.size;
+    if (!this.fills) return fitPicture(this.view(), width, height);
+    const center = this.drawing.box.getCenter(new Vector3());
+    return coverPicture(this.view(), width, height, project(this.view(), ...center, []));
   }
 
   view() {
@@ -119,10 +147,10 @@ export class Eye {
     this.onMove();
   }
 
-  setPhoto(photo) {
+  setPhoto(photo, fills = false) {
     this.photo = photo;
-    this.placement =
-      photo === null ? null : fitPicture(this.view(), this.size.width, this.size.height);
+    this.fills = fills;
+    this.placement = this.placePicture();
     this.controls.enableZoom = this.controls.enablePan = photo === null;
     for (const listener of this.listeners) listener();
   }
@@ -148,6 +176,7 @@ export class Eye {
       target: this.controls.target.clone(),
       opening: this.camera.fov,
       photo: this.photo,
+      fills: this.fills,
     };
   }
 
@@ -200,7 +229,18 @@ export class Eye {
     return { position, orientation, target: center.clone(), opening: OPENING_DEG, photo: null };
   }
 
+  // Through the photograph that sees most of the drawing, as large as the canvas.
+  firstState() {
+    const view = viewOfMost(this.drawing);
+    return view === null ? this.homeState() : { ...this.stateThrough(view), fills: true };
+  }
+
   lookThrough(photo) {
+    this.remember();
+    this.fly(this.stateThrough(photo));
+  }
+
+  stateThrough(photo) {
     const view = this.drawing.views[photo];
     const position = new Vector3(...view.position);
     const orientation = orientationOf(view);
@@ -209,8 +249,7 @@ export class Eye {
     const target = position
       .clone()
       .addScaledVector(ahead, Math.max(depth, 0.1 * this.drawing.radius));
-    this.remember();
-    this.fly({ position, orientation, target, opening: OPENING_DEG, photo });
+    return { position, orientation, target, opening: OPENING_DEG, photo };
   }
 
   fly(to) {
@@ -231,7 +270,7 @@ export class Eye {
     this.camera.quaternion.copy(to.orientation);
     this.controls.target.copy(to.target);
     this.camera.fov = to.opening;
-    this.setPhoto(to.photo);
+    this.setPhoto(to.photo, to.fills);
     this.project();
     this.camera.updateMatrixWorld();
   }

@@ -21,6 +21,11 @@ export function degrees(radians) {
   return `${number((180 / Math.PI) * radians, 4)}°`;
 }
 
+// Of milliseconds.
+export function moment(time) {
+  return new Date(time).toLocaleString('en', { dateStyle: 'medium', timeStyle: 'short' });
+}
+
 // Coordinates of a model may have large common parts, of which all digits count.
 export function coordinates(point, step) {
   const digits = Math.min(12, Math.max(0, Math.ceil(-Math.log10(step))));

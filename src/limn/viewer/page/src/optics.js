@@ -61,6 +61,15 @@ export function fitPicture(view, width, height) {
   };
 }
 
+// The same, but the picture covers all of the canvas, with a pixel as near to the middle as can be.
+export function coverPicture(view, width, height, [x, y]) {
+  const { left, top, right, bottom } = pictureRectangle(view);
+  const scale = Math.max(width / (right - left), height / (bottom - top));
+  const offset = (middle, size, low, high) =>
+    Math.min(-scale * low, Math.max(size - scale * high, 0.5 * size - scale * middle));
+  return { scale, x: offset(x, width, left, right), y: offset(y, height, top, bottom) };
+}
+
 // The projection matrix that draws what a view sees where its picture lies.
 export function photoProjection(view, placement, width, height, near, far) {
   const { scale, x, y } = placement;

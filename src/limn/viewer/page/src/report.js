@@ -102,11 +102,19 @@ function section(title, isThere, content) {
   return isThere ? [make('h2', {}, title), content()] : [];
 }
 
-export function reportPanel(report, overlays) {
+function isOfAnotherState(report, stamp) {
+  return Boolean(report.drawing && stamp.fingerprint) && report.drawing !== stamp.fingerprint;
+}
+
+// `stamp`: of the drawing that the page shows.
+export function reportPanel(report, stamp, overlays) {
   const changed = Object.entries(report.options_changed ?? {});
   return [
     make('h1', {}, report.title ?? 'Report'),
     ...(report.workspace ? [make('p', { class: 'faint' }, report.workspace)] : []),
+    ...section('Since then', isOfAnotherState(report, stamp), () =>
+      make('p', {}, 'The drawing has changed since this run: its numbers are of before.'),
+    ),
     ...section('Warnings', isList(report.warnings), () =>
       make('ul', { class: 'warnings' }, ...report.warnings.map((text) => make('li', {}, text))),
     ),
