@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "colmap_ext/import/new_model_folder.h"
-#include "colmap_ext/verbs/align.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
 #include "colmap_ext/workspace/output_check.h"

@@ -9,7 +9,6 @@
 #include "colmap_ext/dense_files/dense_cloud.h"
 #include "colmap_ext/dense_files/products.h"
 #include "colmap_ext/host/world_shift.h"
-#include "colmap_ext/verbs/align.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/selection_options.h"
 #include "colmap_ext/workspace/model_folder.h"
@@ -176,10 +175,9 @@ void ViewVerb::Run(const Project& project, const RunOptions& options, Console* c
                     console);
 }
 
-void WriteViewerResult(const Project& project, const std::string& workspace_path,
-                       const DrawingInScene& drawing, const ViewerOptions& options,
-                       const std::string& report_json, const std::optional<Alignment>& shown,
-                       Console* console) {
+ViewerScene MakeViewerScene(const Project& project, const std::string& workspace_path,
+                            const DrawingInScene& drawing, const ViewerOptions& options,
+                            const std::optional<Alignment>& shown, Console* console) {
   ViewerScene scene;
   const fs::path folder = fs::absolute(project.DrawingPath("").string()).lexically_normal();
   scene.title = folder.parent_path().filename().string();
@@ -189,6 +187,14 @@ void WriteViewerResult(const Project& project, const std::string& workspace_path
   scene.cloud = CloudOf(project, workspace_path, options, console);
   if (shown) MoveToWorld(*shown, &scene);
   scene.thumbnails = Thumbnails(project, options.thumbnail_size, console);
+  return scene;
+}
+
+void WriteViewerResult(const Project& project, const std::string& workspace_path,
+                       const DrawingInScene& drawing, const ViewerOptions& options,
+                       const std::string& report_json, const std::optional<Alignment>& shown,
+                       Console* console) {
+  ViewerScene scene = MakeViewerScene(project, workspace_path, drawing, options, shown, console);
   scene.report_json = report_json;
   const OutputPath path = project.DrawingPath(kViewerPage);
   WriteFileAtomically(path, [&](std::ostream& out) { WriteViewerPage(scene, out); });

@@ -8,6 +8,7 @@
 #include "colmap_ext/verbs/verb.h"
 #include "limn/model/alignment.h"
 #include "limn/model/link_selection.h"
+#include "limn/viewer/viewer_scene.h"
 
 namespace limn::colmap_ext {
 
@@ -44,9 +45,15 @@ class ViewVerb : public Verb {
   std::string report_json_;
 };
 
-// Writes drawing.html beside the drawing, in the coordinates of the model, or in the world if there
-// is an alignment to show. `report_json`: see ViewerScene. Throws IoError, also if the requested
-// cloud does not exist, and InputError.
+// What the page shows of a drawing, but the report: in the coordinates of the model, or in the
+// world if there is an alignment to show. Throws IoError, also if the requested cloud does not
+// exist, and InputError.
+ViewerScene MakeViewerScene(const Project& project, const std::string& workspace_path,
+                            const DrawingInScene& drawing, const ViewerOptions& options,
+                            const std::optional<Alignment>& shown, Console* console);
+
+// Writes it as drawing.html beside the drawing. `report_json`: see ViewerScene. Throws what
+// MakeViewerScene throws.
 void WriteViewerResult(const Project& project, const std::string& workspace_path,
                        const DrawingInScene& drawing, const ViewerOptions& options,
                        const std::string& report_json, const std::optional<Alignment>& shown,

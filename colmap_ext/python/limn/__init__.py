@@ -169,7 +169,7 @@ def align(drawing: Drawing, known_length: Union[str, Iterable[str]] = (), *, pro
 
     `known_length` has measured lengths: "link 12 = 2.40 m", "from 3 to 7 = 31 in" (nodes). The drawing needs its scene.
     Positions stay the model's; save() stores the alignment, and export(..., aligned=True) applies it. Options:
-    database_path, use_positions. Writes nothing.
+    database_path, use_positions, world. Writes nothing.
     """
     return _limn.apply("align", drawing, texts_of(options, known_length=known_length or None), progress)
 
