@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <ostream>
 #include <string_view>
 #include <vector>
@@ -25,15 +26,16 @@ static_assert(kWindowBytes > kMaxPlyHeaderBytes);
 // The part of a file at hand, which moves on.
 class FileWindow {
  public:
-  explicit FileWindow(const std::string& path) : in_(OpenFile(path)), bytes_(kWindowBytes) {}
+  explicit FileWindow(const std::string& path)
+      : in_(OpenFile(path)), bytes_(std::make_unique_for_overwrite<char[]>(kWindowBytes)) {}
 
   // The next bytes, to be changed in place; fewer than `size` only at the end of the file.
   // Precondition: size <= kWindowBytes.
   std::string_view Peek(size_t size) {
     if (end_ - begin_ < size) Fill();
-    return {bytes_.data() + begin_, std::min(size, end_ - begin_)};
+    return {bytes_.get() + begin_, std::min(size, end_ - begin_)};
   }
-  char* data() { return bytes_.data() + begin_; }
+  char* data() { return bytes_.get() + begin_; }
 
   // The next line with its end. Empty at the end of the file, or if it is too long.
   std::string_view PeekLine() {
@@ -42,28 +44,27 @@ class FileWindow {
     Fill();
     line = LineAtHand();
     if (!line.empty() || end_ - begin_ == kWindowBytes) return line;
-    return {bytes_.data() + begin_, end_ - begin_};
+    return {bytes_.get() + begin_, end_ - begin_};
   }
 
   void Skip(size_t size) { begin_ += size; }
 
  private:
   std::string_view LineAtHand() const {
-    const std::string_view at_hand(bytes_.data() + begin_, end_ - begin_);
+    const std::string_view at_hand(bytes_.get() + begin_, end_ - begin_);
     return at_hand.substr(0, at_hand.find('\n') + 1);  // npos + 1 is 0
   }
 
   void Fill() {
-    std::copy(bytes_.begin() + static_cast<std::ptrdiff_t>(begin_),
-              bytes_.begin() + static_cast<std::ptrdiff_t>(end_), bytes_.begin());
+    std::copy(bytes_.get() + begin_, bytes_.get() + end_, bytes_.get());
     end_ -= begin_;
     begin_ = 0;
-    in_.read(bytes_.data() + end_, static_cast<std::streamsize>(kWindowBytes - end_));
+    in_.read(bytes_.get() + end_, static_cast<std::streamsize>(kWindowBytes - end_));
     end_ += static_cast<size_t>(in_.gcount());
   }
 
   std::ifstream in_;
-  std::vector<char> bytes_;
+  std::unique_ptr<char[]> bytes_;
   size_t begin_ = 0, end_ = 0;
 };
 

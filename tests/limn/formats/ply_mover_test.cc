@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -101,14 +103,14 @@ std::string MeshFile(Bytes bytes, const std::vector<MeshVertex>& vertices, size_
   return header + pen.text();
 }
 
-template <typename Real>
+// Of numbers that are exact in all formats.
 std::vector<MeshVertex> AnyVertices(size_t count) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
   std::vector<MeshVertex> vertices(count);
   for (MeshVertex& vertex : vertices) {
-    for (double& value : vertex.position) value = static_cast<Real>(10 * normal(random));
-    for (double& value : vertex.normal) value = static_cast<float>(normal(random));
+    for (double& value : vertex.position) value = std::round(640 * normal(random)) / 64;
+    for (double& value : vertex.normal) value = std::round(64 * normal(random)) / 64;
   }
   return vertices;
 }
@@ -138,7 +140,7 @@ std::string MovedFile(const std::string& path, const std::string& comment = "") 
 template <typename Real>
 void ExpectMoved(size_t num_vertices, size_t num_faces) {
   const TemporaryFolder folder;
-  const std::vector<MeshVertex> vertices = AnyVertices<Real>(num_vertices);
+  const std::vector<MeshVertex> vertices = AnyVertices(num_vertices);
   for (const Bytes bytes : {Bytes::kText, Bytes::kLittle, Bytes::kBig}) {
     const std::string path = folder.Write("mesh.ply", MeshFile<Real>(bytes, vertices, num_faces));
     // Not by EXPECT_EQ, which would print megabytes.
@@ -160,7 +162,7 @@ TEST(PlyMover, LargeFilesAreMovedPartByPart) { ExpectMoved<float>(400'000, 300'0
 TEST(PlyMover, WhatFollowsTheLastElementStays) {
   const TemporaryFolder folder;
   const std::string path =
-      folder.Write("a.ply", MeshFile<float>(Bytes::kLittle, AnyVertices<float>(1), 1) + "more");
+      folder.Write("a.ply", MeshFile<float>(Bytes::kLittle, AnyVertices(1), 1) + "more");
   EXPECT_TRUE(MovedFile(path).ends_with("more"));
 }
 
@@ -180,7 +182,7 @@ TEST(PlyMover, TextKeepsItsBlanksAndLineEnds) {
 TEST(PlyMover, FilesCutAnywhereAreRefused) {
   const TemporaryFolder folder;
   for (const Bytes bytes : {Bytes::kText, Bytes::kLittle, Bytes::kBig}) {
-    const std::string whole = MeshFile<float>(bytes, AnyVertices<float>(2), 2);
+    const std::string whole = MeshFile<float>(bytes, AnyVertices(2), 2);
     // The last number of a text may be cut unnoticed, and its end.
     const size_t least = bytes == Bytes::kText ? std::string("0.125 \n").size() : 0;
     for (size_t length = 0; length + least < whole.size(); ++length) {
@@ -196,8 +198,8 @@ TEST(PlyMover, WhatCannotBeMovedIsNamed) {
     const std::string path = folder.Write("a.ply", bytes);
     try {
       MovedFile(path);
-    } catch (const IoError& error) {
-      return std::string(error.what()).substr(path.size());
+    } catch (const IoError& caught) {
+      return std::string(caught.what()).substr(path.size());
     }
     return std::string("nothing");
   };
@@ -224,10 +226,10 @@ TEST(PlyMover, WhatCannotBeMovedIsNamed) {
   EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
                   "property float z\nproperty list int int v\nend_header\n0 0 0 0\n"),
             ": vertices with the list v");
-  std::vector<MeshVertex> vertices = AnyVertices<float>(3);
+  std::vector<MeshVertex> vertices = AnyVertices(3);
   vertices[2].position.y() = std::numeric_limits<double>::infinity();
   EXPECT_EQ(error(MeshFile<float>(Bytes::kBig, vertices, 1)), ": vertex 2: coordinate not finite");
-  vertices = AnyVertices<float>(3);
+  vertices = AnyVertices(3);
   std::string cut = MeshFile<float>(Bytes::kLittle, vertices, 4);
   cut.resize(cut.size() - 2);
   EXPECT_EQ(error(cut), ": face 3: the file ends too early");
@@ -236,7 +238,7 @@ TEST(PlyMover, WhatCannotBeMovedIsNamed) {
 // Some clouds have these.
 TEST(PlyMover, NormalsMayBeNoNumbers) {
   const TemporaryFolder folder;
-  std::vector<MeshVertex> vertices = AnyVertices<float>(2);
+  std::vector<MeshVertex> vertices = AnyVertices(2);
   vertices[1].normal.setConstant(std::numeric_limits<double>::quiet_NaN());
   const std::string path = folder.Write(
       "moved.ply", MovedFile(folder.Write("a.ply", MeshFile<double>(Bytes::kLittle, vertices, 0))));
