@@ -23,6 +23,7 @@
 #include "limn/util/errors.h"
 #include "limn/util/name_list.h"
 #include "limn/util/number_text.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -221,6 +222,47 @@ void SayLengths(const std::vector<KnownLength>& lengths, const AlignmentResult& 
   }
 }
 
+// The place that a photograph shows, in whichever of its views (parts of panoramas) it is nearest.
+// Views are of images as stored. Throws InputError.
+DrawingPlace PlaceInImage(const ImagePoint& point, const ViewSet& set,
+                          const std::vector<View>& views, const DrawingGraph& graph) {
+  std::optional<DrawingPlace> nearest;
+  std::string problem = "no image in use is called " + Printable(point.image);
+  for (ViewId v = 0; v < static_cast<ViewId>(views.size()); ++v) {
+    if (set.ImageName(v) != point.image) continue;
+    try {
+      const DrawingPlace place = SnapToDrawing(point, views[v], v, graph);
+      if (!nearest || place.distance_px < nearest->distance_px) nearest = place;
+    } catch (const InputError& error) {
+      problem = error.what();
+    }
+  }
+  if (!nearest) throw InputError(problem);
+  return *nearest;
+}
+
+// With the places of their pixels, which it says. Throws OptionError.
+std::vector<KnownLength> WithPlaces(std::vector<KnownLength> lengths, const ViewSet& set,
+                                    const std::vector<View>& views, const DrawingGraph& graph,
+                                    Console* console) {
+  const auto has_pixels = [](const KnownLength& length) { return !length.span.pixels.empty(); };
+  if (!std::ranges::any_of(lengths, has_pixels)) return lengths;
+  const std::vector<View> stored = InStoredImages(set, views);
+  for (KnownLength& length : lengths) {
+    for (const ImagePoint& point : length.span.pixels) {
+      try {
+        const DrawingPlace place = PlaceInImage(point, set, stored, graph);
+        console->Say("alignment: " + TextOf(point) + " is on link " + std::to_string(place.link) +
+                     ", " + ShortNumber(place.distance_px) + " px away");
+        length.span.places.push_back(place);
+      } catch (const InputError& error) {
+        throw OptionError("known_length = " + Printable(length.text) + ": " + error.what());
+      }
+    }
+  }
+  return lengths;
+}
+
 // The drawings of an output folder to align: the newest, in which is measured, then drawing.json if
 // that is not the newest. An older drawing-fused.json is not aligned, and warned of. Throws IoError
 // if there is none.
@@ -286,8 +328,9 @@ void AlignOptions::AddOptions(bool of_drawing, OptionParser* parser) {
     mode = Mode::kAuto;
     contradictions_fail = true;
     parser->AddOption("known_length", &known_lengths,
-                      BasicOption("measured lengths, such as \"link 12 = 2.40 m\" or \"from 3 to 7 "
-                                  "= 2.40 m\" (nodes); several separated by ;"));
+                      BasicOption("measured lengths, such as \"link 12 = 2.40 m\", \"from 3 to 7 = "
+                                  "2.40 m\" (nodes) or \"a.jpg 120,340 to b.jpg 500,220 = 2.40 "
+                                  "m\" (pixels); several separated by ;"));
     parser->AddOption("use_positions", &use_positions,
                       "take positions of cameras from the database");
     parser->AddOption(
@@ -348,7 +391,9 @@ SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
 std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
                                              const DrawingGraph& graph, Console* console) const {
   if (!is_asked_) return std::nullopt;
-  const AlignmentResult result = AlignDrawing({views, graph, priors_, lengths_, world_});
+  const std::vector<KnownLength> lengths =
+      WithPlaces(lengths_, scene_.view_set(), views, graph, console);
+  const AlignmentResult result = AlignDrawing({views, graph, priors_, lengths, world_});
   CheckPositions(result, console);
   CheckWorld(result);
   SayGravity(result, priors_, console);

@@ -144,8 +144,7 @@ void SayDense(const MovedFiles& moved, const Project& project, const fs::path& d
   std::error_code ignored;
   if (fs::exists(dense / "stereo", ignored)) {
     console->Say("NOTE: " + (dense / "stereo").string() +
-                 " is left out: depth maps are in the unit of the model; make them again there, "
-                 "after colmap image_undistorter");
+                 " is left out: depth maps are in the unit of the model");
   }
 }
 

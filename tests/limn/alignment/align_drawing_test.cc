@@ -161,7 +161,7 @@ TEST_F(AlignDrawingTest, TheWorldOfPositionsTakesItsScaleFromLengths) {
   SetPositions(0);
   const DrawingLink& link = graph_.links[0];
   const double length = (link.points_in_world.back() - link.points_in_world.front()).norm();
-  lengths_ = {{0, -1, -1, length / model_from_world_.scale, "link 0"}};
+  lengths_ = {{{0}, length / model_from_world_.scale, "link 0"}};
   const AlignmentResult result = Align(WorldFrame::kPositions);
   const Similarity3d& world_from_model = result.alignment.world_from_model;
   EXPECT_NEAR(world_from_model.scale * model_from_world_.scale, 1, 1e-9);
