@@ -10,7 +10,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-#include "colmap_ext/verbs/aligned_folder.h"
 #include "colmap_ext/verbs/aligned_project.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/position_doubts.h"
@@ -464,7 +463,7 @@ void AlignVerb::Run(const Project& project, const RunOptions& options, Console* 
       drawing_path().empty() ? DrawingsToAlign(project.layout().output.drawing_dir, console)
                              : std::vector<std::string>{drawing_path()};
   const bool is_applied = apply_to_ == AppliesTo::kProject;
-  if (is_applied) CheckAlignedFolder(project.DrawingPath(kAlignedFolder), options.overwrite);
+  if (is_applied) CheckAlignedProject(project, options);
   std::vector<OutputPath> outputs;
   for (const std::string& path : paths) {
     const bool is_named = !drawing_path().empty();

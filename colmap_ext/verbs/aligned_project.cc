@@ -20,6 +20,7 @@
 #include "limn/files/atomic_file.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/model/drawing_transform.h"
+#include "limn/util/errors.h"
 #include "limn/util/name_list.h"
 #include "limn/util/number_text.h"
 #include "limn/viewer/viewer_page.h"
@@ -124,7 +125,7 @@ void WriteOffset(const AlignedFrame& frame, const OutputPath& folder) {
   });
 }
 
-// The dense workspace, or else the project.
+// The dense workspace, or else the project; empty if neither is given.
 fs::path DenseFolder(const Project& project, const RunOptions& options) {
   const fs::path& dense = project.layout().dense_dir;
   return dense.empty() ? fs::path(options.layout.workspace_path) : dense;
@@ -142,13 +143,30 @@ void SayDense(const MovedFiles& moved, const Project& project, const fs::path& d
                  "fits");
   }
   std::error_code ignored;
-  if (fs::exists(dense / "stereo", ignored)) {
+  if (!dense.empty() && fs::exists(dense / "stereo", ignored)) {
     console->Say("NOTE: " + (dense / "stereo").string() +
                  " is left out: depth maps are in the unit of the model");
   }
 }
 
+fs::path FolderOf(const fs::path& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return whole.has_filename() ? whole.parent_path() : whole.parent_path().parent_path();
+}
+
 }  // namespace
+
+void CheckAlignedProject(const Project& project, const RunOptions& options) {
+  const OutputPath folder = project.DrawingPath(kAlignedFolder);
+  CheckAlignedFolder(folder, options.overwrite);
+  const WorkspaceLayout& layout = project.layout();
+  for (const fs::path& read : {layout.model_dir, layout.given_model_dir, layout.image_dir}) {
+    std::error_code ignored;
+    if (!fs::equivalent(FolderOf(read), folder.string(), ignored)) continue;
+    throw IoError(folder.string(), "would be replaced, but " + read.string() +
+                                       " in it is read: choose another --output_path");
+  }
+}
 
 void WriteAlignedProject(const Project& project, const RunOptions& options,
                          const DrawingInScene& drawing, Console* console) {
@@ -164,7 +182,8 @@ void WriteAlignedProject(const Project& project, const RunOptions& options,
     TransformModel(frame.frame_from_model, &model);
     WriteModel(model, model.flavor, folder / "sparse");
     have_links = LinkImages(model, project.layout().image_dir, folder / "images");
-    moved = MoveDenseFiles(dense, frame.frame_from_model, comment, folder, console->context());
+    if (!dense.empty())
+      moved = MoveDenseFiles(dense, frame.frame_from_model, comment, folder, console->context());
     WriteDrawingFiles(project, drawing, frame, folder);
     if (HasViewerPage()) WritePage(project, options, drawing, frame, folder, console);
     if (frame.HasOffset()) WriteOffset(frame, folder);

@@ -322,6 +322,9 @@ TEST_F(AlignedProject, OnlyWhatLimnHasMadeIsReplaced) {
   fs::create_directory(Path("aligned"));
   ASSERT_EQ(Align().exit_code, 0);
   refuses("aligned: exists: --overwrite 1 replaces it");
+  refuses("in it is read: choose another --output_path",
+          {"--input_path", Aligned("sparse").string(), "--image_path", Aligned("images").string(),
+           "--output_path", dir_.path().string(), "--overwrite", "1"});
   dir_.WriteFile("aligned/sparse/notes.txt", "mine");
   refuses("sparse: was not made by drawing_aligner", {"--overwrite", "1"});
   fs::remove(Aligned("sparse/notes.txt"));
