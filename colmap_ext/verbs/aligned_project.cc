@@ -138,9 +138,10 @@ void SayDense(const MovedFiles& moved, const Project& project, const fs::path& d
   }
   const WorkspaceLayout& layout = project.layout();
   if (!moved.names.empty() && layout.model_dir != layout.given_model_dir) {
-    console->Say("WARNING: " + ListNames(moved.names) +
-                 " were made with the cameras as given, not with the refined ones that the drawing "
-                 "fits");
+    console->Say(
+        "WARNING: the drawing fits refined cameras, but these were made with the cameras as "
+        "given: " +
+        ListNames(moved.names));
   }
   std::error_code ignored;
   if (!dense.empty() && fs::exists(dense / "stereo", ignored)) {
