@@ -1,12 +1,9 @@
 #include "colmap_ext/dense_files/merged_cloud.h"
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <system_error>
 
-#include <unistd.h>
-
+#include "colmap_ext/workspace/output_link.h"
 #include "limn/files/atomic_file.h"
 #include "limn/files/whole_file.h"
 #include "limn/files/writable_folder.h"
@@ -67,10 +64,6 @@ void WriteVisibility(const OutputPath& path, const fs::path& fused_visibility,
   });
 }
 
-bool HasNoLinks(int reason) {
-  return reason == EPERM || reason == EOPNOTSUPP || reason == ENOSYS || reason == EINVAL;
-}
-
 // Of a file, or of the files of a folder.
 void Copy(const fs::path& from, const OutputPath& to) {
   if (!fs::is_directory(from)) {
@@ -82,24 +75,11 @@ void Copy(const fs::path& from, const OutputPath& to) {
   }
 }
 
-// `link` comes to stand for `target`. A folder that is in the way is not ours and stays.
+// `link` comes to stand for `target`.
 void LinkOrCopy(const fs::path& target, const OutputPath& link) {
-  std::error_code error;
-  if (fs::equivalent(target, link.string(), error)) return;
-  const WritableFolder folder = WritableFolder::Make(link.Folder());
-  const auto there = folder.StatusOf(link.Name());
-  if (there && S_ISDIR(there->st_mode)) {
-    throw IoError(link.string(), "is a folder, not the link that is to be made: remove it");
-  }
-  folder.Remove(link.Name());
-  const fs::path relative = fs::relative(target, folder.path(), error);
-  const fs::path text = error ? fs::absolute(target) : relative;
-  if (symlinkat(text.c_str(), folder.descriptor(), link.Name().c_str()) == 0) return;
-  const int reason = errno;
-  if (!HasNoLinks(reason)) {
-    throw IoError(link.string(), std::string("cannot be made: ") + std::strerror(reason));
-  }
-  Copy(target, link);
+  std::error_code ignored;
+  if (fs::equivalent(target, link.string(), ignored)) return;
+  if (!MakeLink(target, link)) Copy(target, link);
 }
 
 }  // namespace

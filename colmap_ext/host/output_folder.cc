@@ -16,7 +16,7 @@ constexpr const char* kFolders[] = {"refined", "with-curves", "sparse-with-curve
 
 void RemoveTemporaryFilesIn(const WritableFolder& folder, Depth depth) {
   for (const std::string& name : folder.Names()) {
-    if (name.ends_with(kTemporarySuffix)) folder.Remove(name);
+    if (name.ends_with(kTemporarySuffix)) folder.RemoveAll(name);
     const auto inner = depth == Depth::kAll ? folder.Enter(name) : std::nullopt;
     if (inner) RemoveTemporaryFilesIn(*inner, depth);
   }

@@ -1,10 +1,7 @@
 #include "colmap_ext/import/new_model_folder.h"
 
-#include <cerrno>
 #include <cstring>
 #include <system_error>
-
-#include <sys/stat.h>
 
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/workspace/model_folder.h"
@@ -16,14 +13,6 @@ namespace limn::colmap_ext {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Empty, whatever a killed run has left there.
-void MakeEmpty(const WritableFolder& folder, const std::string& name) {
-  folder.RemoveAll(name);
-  if (mkdirat(folder.descriptor(), name.c_str(), 0777) == 0) return;
-  throw IoError((fs::path(folder.path()) / name).string(),
-                std::string("cannot create the folder: ") + std::strerror(errno));
-}
 
 // Without a slash at the end, which would make the temporary folder one inside.
 fs::path Plain(const fs::path& folder) {
@@ -52,7 +41,7 @@ void WriteNewModel(const SparseModel& model, const fs::path& folder, ModelFlavor
                    const std::function<void(const OutputPath&)>& write_more) {
   CheckNewModelFolder(folder);
   const fs::path path = Plain(folder);
-  TemporaryPath temporary(OutputPath(path) + kTemporarySuffix, &MakeEmpty);
+  TemporaryPath temporary(OutputPath(path) + kTemporarySuffix, &MakeEmptyFolder);
   WriteModel(model, flavor, temporary.path());
   if (write_more) write_more(temporary.path());
   // Replaces an empty folder, fails on any other.

@@ -12,21 +12,34 @@ namespace {
 // Cameras this much farther from the origin than from each other lose three decimal digits.
 constexpr double kFarAway = 1000;
 
-}  // namespace
-
-Eigen::Vector3d SceneOrigin(const SparseModel& model) {
-  if (model.images.empty()) return Eigen::Vector3d::Zero();
+std::vector<Eigen::Vector3d> CentersOf(const SparseModel& model) {
   std::vector<Eigen::Vector3d> centers;
   for (const ModelImage& image : model.images) {
     centers.push_back(Inverse(image.cam_from_world).translation);
   }
-  std::vector<double> values(centers.size());
+  return centers;
+}
+
+Eigen::Vector3d MiddleOf(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<double> values(points.size());
   Eigen::Vector3d middle;
   for (int axis = 0; axis < 3; ++axis) {
-    std::transform(centers.begin(), centers.end(), values.begin(),
-                   [&](const Eigen::Vector3d& center) { return center[axis]; });
+    std::transform(points.begin(), points.end(), values.begin(),
+                   [&](const Eigen::Vector3d& point) { return point[axis]; });
     middle[axis] = Median(values);
   }
+  return middle;
+}
+
+}  // namespace
+
+Eigen::Vector3d MiddleOfCameras(const SparseModel& model) { return MiddleOf(CentersOf(model)); }
+
+Eigen::Vector3d SceneOrigin(const SparseModel& model) {
+  if (model.images.empty()) return Eigen::Vector3d::Zero();
+  const std::vector<Eigen::Vector3d> centers = CentersOf(model);
+  const Eigen::Vector3d middle = MiddleOf(centers);
+  std::vector<double> values(centers.size());
   std::transform(centers.begin(), centers.end(), values.begin(),
                  [&](const Eigen::Vector3d& center) { return (center - middle).norm(); });
   const double extent = Median(values);

@@ -12,6 +12,9 @@ namespace limn::colmap_ext {
 // among them whose coordinates are multiples of a power of ten above their distances. O(images).
 Eigen::Vector3d SceneOrigin(const SparseModel& model);
 
+// The median of the cameras' centers, along each axis. Precondition: there are images.
+Eigen::Vector3d MiddleOfCameras(const SparseModel& model);
+
 // cam_from_world after all positions have moved by `shift`.
 Rigid3d Moved(const Rigid3d& cam_from_world, const Eigen::Vector3d& shift);
 

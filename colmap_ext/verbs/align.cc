@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include "colmap_ext/verbs/aligned_project.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/position_doubts.h"
 #include "colmap_ext/workspace/pose_priors.h"
@@ -21,6 +22,7 @@
 #include "limn/util/errors.h"
 #include "limn/util/name_list.h"
 #include "limn/util/number_text.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -219,6 +221,47 @@ void SayLengths(const std::vector<KnownLength>& lengths, const AlignmentResult& 
   }
 }
 
+// The place that a photograph shows, in whichever of its views (parts of panoramas) it is nearest.
+// Views are of images as stored. Throws InputError.
+DrawingPlace PlaceInImage(const ImagePoint& point, const ViewSet& set,
+                          const std::vector<View>& views, const DrawingGraph& graph) {
+  std::optional<DrawingPlace> nearest;
+  std::string problem = "no image in use is called " + Printable(point.image);
+  for (ViewId v = 0; v < static_cast<ViewId>(views.size()); ++v) {
+    if (set.ImageName(v) != point.image) continue;
+    try {
+      const DrawingPlace place = SnapToDrawing(point, views[v], v, graph);
+      if (!nearest || place.distance_px < nearest->distance_px) nearest = place;
+    } catch (const InputError& error) {
+      problem = error.what();
+    }
+  }
+  if (!nearest) throw InputError(problem);
+  return *nearest;
+}
+
+// With the places of their pixels, which it says. Throws OptionError.
+std::vector<KnownLength> WithPlaces(std::vector<KnownLength> lengths, const ViewSet& set,
+                                    const std::vector<View>& views, const DrawingGraph& graph,
+                                    Console* console) {
+  const auto has_pixels = [](const KnownLength& length) { return !length.span.pixels.empty(); };
+  if (!std::ranges::any_of(lengths, has_pixels)) return lengths;
+  const std::vector<View> stored = InStoredImages(set, views);
+  for (KnownLength& length : lengths) {
+    for (const ImagePoint& point : length.span.pixels) {
+      try {
+        const DrawingPlace place = PlaceInImage(point, set, stored, graph);
+        console->Say("alignment: " + TextOf(point) + " is on link " + std::to_string(place.link) +
+                     ", " + ShortNumber(place.distance_px) + " px away");
+        length.span.places.push_back(place);
+      } catch (const InputError& error) {
+        throw OptionError("known_length = " + Printable(length.text) + ": " + error.what());
+      }
+    }
+  }
+  return lengths;
+}
+
 // The drawings of an output folder to align: the newest, in which is measured, then drawing.json if
 // that is not the newest. An older drawing-fused.json is not aligned, and warned of. Throws IoError
 // if there is none.
@@ -284,10 +327,15 @@ void AlignOptions::AddOptions(bool of_drawing, OptionParser* parser) {
     mode = Mode::kAuto;
     contradictions_fail = true;
     parser->AddOption("known_length", &known_lengths,
-                      BasicOption("measured lengths, such as \"link 12 = 2.40 m\" or \"from 3 to 7 "
-                                  "= 2.40 m\" (nodes); several separated by ;"));
+                      BasicOption("measured lengths, such as \"link 12 = 2.40 m\", \"from 3 to 7 = "
+                                  "2.40 m\" (nodes) or \"a.jpg 120,340 to b.jpg 500,220 = 2.40 "
+                                  "m\" (pixels); several separated by ;"));
     parser->AddOption("use_positions", &use_positions,
                       "take positions of cameras from the database");
+    parser->AddOption(
+        "world", &world, {{"drawing", WorldFrame::kDrawing}, {"positions", WorldFrame::kPositions}},
+        BasicOption("whose coordinates: those around the middle of the drawing, or of "
+                    "the positions of cameras, such as a national grid"));
   } else {
     parser->AddOption("align", &mode, {{"none", Mode::kNone}, {"auto", Mode::kAuto}},
                       "store up, horizontal axes and scale in drawing.json");
@@ -303,13 +351,17 @@ void AlignOptions::Check() const {
   if (mode == Mode::kNone && !database_path.empty()) {
     throw OptionError("database_path = " + database_path + ": needs --align auto");
   }
+  if (world == WorldFrame::kPositions && !use_positions) {
+    throw OptionError("use_positions = 0: the world cannot be that of the positions then");
+  }
 }
 
 SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
                            const AlignOptions& options, Console* console)
     : scene_(scene),
       is_asked_(options.mode == AlignOptions::Mode::kAuto),
-      contradictions_fail_(options.contradictions_fail) {
+      contradictions_fail_(options.contradictions_fail),
+      world_(options.world) {
   if (!is_asked_) return;
   lengths_ = ParseKnownLengths(options.known_lengths);
   const bool is_found = options.database_path.empty();
@@ -338,8 +390,11 @@ SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
 std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
                                              const DrawingGraph& graph, Console* console) const {
   if (!is_asked_) return std::nullopt;
-  const AlignmentResult result = AlignDrawing({views, graph, priors_, lengths_});
+  const std::vector<KnownLength> lengths =
+      WithPlaces(lengths_, scene_.view_set(), views, graph, console);
+  const AlignmentResult result = AlignDrawing({views, graph, priors_, lengths, world_});
   CheckPositions(result, console);
+  CheckWorld(result);
   SayGravity(result, priors_, console);
   SayPositions(result, scene_.view_set(), console);
   SayLengths(lengths_, result, console);
@@ -359,12 +414,25 @@ void SceneAligner::CheckPositions(const AlignmentResult& result, Console* consol
   console->Say("WARNING: " + database_.string() + ": " + doubt + "; they are not used");
 }
 
+void SceneAligner::CheckWorld(const AlignmentResult& result) const {
+  if (result.world == world_) return;
+  throw IoError(database_.empty() ? "database.db" : database_.string(),
+                "has no positions that tell where the drawing is, as world = positions needs: four "
+                "or more, not along a line, that give east within 10 degrees and the scale within "
+                "20 % (" +
+                    std::to_string(result.positioned.size()) + " found); leave out --world");
+}
+
 void AlignVerb::AddOptions(OptionParser* parser) { align_.AddOptions(/*of_drawing=*/true, parser); }
 
 void AlignVerb::AddFileOptions(OptionParser* parser) {
   AddDrawingPath(
       "drawing to align, instead of drawing.json (and drawing-fused.json) in the output folder",
       parser);
+  parser->AddOption("apply_to", &apply_to_,
+                    {{"drawing", AppliesTo::kDrawing}, {"project", AppliesTo::kProject}},
+                    BasicOption("project: also write model, cloud, meshes and drawing in world "
+                                "coordinates, to aligned/"));
 }
 
 void AlignVerb::Prepare(RunOptions*, Console*) {
@@ -394,6 +462,8 @@ void AlignVerb::Run(const Project& project, const RunOptions& options, Console* 
   const std::vector<std::string> paths =
       drawing_path().empty() ? DrawingsToAlign(project.layout().output.drawing_dir, console)
                              : std::vector<std::string>{drawing_path()};
+  const bool is_applied = apply_to_ == AppliesTo::kProject;
+  if (is_applied) CheckAlignedProject(project, options);
   std::vector<OutputPath> outputs;
   for (const std::string& path : paths) {
     const bool is_named = !drawing_path().empty();
@@ -406,12 +476,8 @@ void AlignVerb::Run(const Project& project, const RunOptions& options, Console* 
   const DrawingInScene made = Apply(JobOf(project, options, console), given);
   StoreAlignment(outputs, *made.metadata.alignment);
   for (const std::string& path : paths) console->Say("Written: alignment in " + path);
+  if (is_applied) WriteAlignedProject(project, options, made, console);
   console->RepeatWarnings();
-}
-
-const Alignment& RequireAlignment(const std::string& path, const DrawingMetadata& metadata) {
-  if (metadata.alignment) return *metadata.alignment;
-  throw IoError(path, "has no alignment: run drawing_aligner, or draw with --align auto");
 }
 
 }  // namespace limn::colmap_ext

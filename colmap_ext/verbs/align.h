@@ -22,11 +22,12 @@ struct AlignOptions {
   // See ParseKnownLengths.
   std::vector<std::string> known_lengths;
   bool use_positions = true;
+  WorldFrame world = WorldFrame::kDrawing;
   // Positions that contradict the cameras: an error, or else a warning. No option.
   bool contradictions_fail = false;
 
   // Known lengths name links, so only commands that start from a drawing have them; these commands
-  // align in any case.
+  // align in any case, and choose the world.
   void AddOptions(bool of_drawing, OptionParser* parser);
   // Throws OptionError.
   void Check() const;
@@ -51,20 +52,25 @@ class SceneAligner {
 
  private:
   void CheckPositions(const AlignmentResult& result, Console* console) const;
+  void CheckWorld(const AlignmentResult& result) const;
 
   const Scene& scene_;
   bool is_asked_ = false;
   bool contradictions_fail_ = false;
+  WorldFrame world_ = WorldFrame::kDrawing;
   std::filesystem::path database_;  // of the priors
   std::vector<KnownLength> lengths_;
   std::vector<ViewPrior> priors_;
 };
 
 // drawing_aligner: where the drawing is in the world. Stores that in drawings whose graphs stay as
-// they are: that of --drawing_path, or those of the output folder.
+// they are: that of --drawing_path, or those of the output folder. If it is to be applied, writes
+// the whole project in world coordinates (aligned_project.h).
 class AlignVerb : public DrawingVerb {
  public:
-  OptionGroups Groups() const override { return {}; }
+  enum class AppliesTo { kDrawing, kProject };
+
+  OptionGroups Groups() const override { return {.overwrites = true}; }
   bool HasOwnOptions() const override { return true; }
   bool KeepsGraph() const override { return true; }
   void AddOptions(OptionParser* parser) override;
@@ -76,10 +82,7 @@ class AlignVerb : public DrawingVerb {
 
  private:
   AlignOptions align_;
+  AppliesTo apply_to_ = AppliesTo::kDrawing;
 };
-
-// The alignment of a drawing that shall be shown or exported with it. Throws IoError naming the
-// file if it has none.
-const Alignment& RequireAlignment(const std::string& path, const DrawingMetadata& metadata);
 
 }  // namespace limn::colmap_ext

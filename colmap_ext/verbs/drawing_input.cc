@@ -82,4 +82,9 @@ DrawingFile ReadDrawing(const std::string& path, const std::vector<std::string>&
                                          : ReadDrawingJson(path);
 }
 
+const Alignment& RequireAlignment(const std::string& path, const DrawingMetadata& metadata) {
+  if (metadata.alignment) return *metadata.alignment;
+  throw IoError(path, "has no alignment: run drawing_aligner, or draw with --align auto");
+}
+
 }  // namespace limn::colmap_ext

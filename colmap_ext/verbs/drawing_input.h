@@ -41,4 +41,8 @@ std::string FingerprintOf(const std::string& path);
 // ReadLimapDrawing). Throws IoError.
 DrawingFile ReadDrawing(const std::string& path, const std::vector<std::string>& view_names = {});
 
+// The alignment of a drawing that shall be shown or exported with it. Throws IoError naming the
+// file if it has none.
+const Alignment& RequireAlignment(const std::string& path, const DrawingMetadata& metadata);
+
 }  // namespace limn::colmap_ext

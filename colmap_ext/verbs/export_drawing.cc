@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "colmap_ext/import/new_model_folder.h"
-#include "colmap_ext/verbs/align.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
 #include "colmap_ext/workspace/output_check.h"
@@ -92,14 +91,6 @@ std::optional<Eigen::Vector3d> UpOf(const ExporterOptions& options,
 bool IsPlan(const ExporterOptions& options) {
   return FormatName(options) == "dxf" &&
          (!options.svg.view.empty() || !options.svg.plan.section.empty());
-}
-
-DrawingMetadata InFile(const Similarity3d& file_from_model, DrawingMetadata metadata) {
-  if (metadata.alignment) metadata.alignment = After(file_from_model, *metadata.alignment);
-  if (auto& direction = metadata.main_view_direction) {
-    direction = Eigen::Vector3d(file_from_model.rotation * *direction);
-  }
-  return metadata;
 }
 
 // What an SVG picture or a plan shows of the graph.
@@ -195,7 +186,7 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
                   rotation, translation);
   DrawingFormatOptions format = options.format;
   format.unit = frame.unit;
-  metadata = InFile(frame.from_model, std::move(metadata));
+  metadata = After(frame.from_model, std::move(metadata));
   format.dxf.junctions = format.glb.junctions = options.junctions;
   format.glb.rods_as_tubes = format.step.rods_as_tubes = options.rods_as_tubes;
   if (!options.cloud_path.empty()) {

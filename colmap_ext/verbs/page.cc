@@ -11,7 +11,6 @@
 #include "colmap_ext/dense_files/dense_cloud.h"
 #include "colmap_ext/dense_files/products.h"
 #include "colmap_ext/host/world_shift.h"
-#include "colmap_ext/verbs/align.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "limn/files/atomic_file.h"
@@ -152,6 +151,10 @@ std::optional<Alignment> ShownAlignment(PageOptions::Shown shown, const std::str
   return metadata.alignment;
 }
 
+fs::path PageFolder(const Project& project) {
+  return fs::absolute(project.DrawingPath("").string()).lexically_normal();
+}
+
 DrawingStamp StampOf(const std::string& drawing_path, const fs::path& folder) {
   const fs::path path = fs::absolute(drawing_path);
   std::error_code ignored;
@@ -205,22 +208,28 @@ std::vector<ViewerThumbnail> MakeThumbnails(const Project& project, const std::v
   return thumbnails;
 }
 
-void WritePage(const Project& project, const DrawingInScene& drawing,
-               const std::string& drawing_path, const PageOptions& options, PageParts parts,
-               Console* console) {
+ViewerScene MakeViewerScene(const Project& project, const DrawingInScene& drawing,
+                            const PageOptions& options, PageParts parts,
+                            const std::optional<Alignment>& shown) {
   ViewerScene scene;
-  const fs::path folder = fs::absolute(project.DrawingPath("").string()).lexically_normal();
-  scene.title = folder.parent_path().filename().string();
-  scene.drawing = StampOf(drawing_path, folder);
+  scene.title = PageFolder(project).parent_path().filename().string();
   scene.detail = options.detail;
   scene.graph = Moved(drawing.graph, project.origin());
   scene.views = Moved(drawing.views, project.origin());
   scene.cloud = std::move(parts.cloud);
-  const auto alignment = ShownAlignment(options.shown, drawing_path, drawing.metadata);
-  if (alignment) MoveToWorld(*alignment, &scene);
+  if (shown) MoveToWorld(*shown, &scene);
   scene.thumbnails = std::move(parts.thumbnails);
   scene.report_json = std::move(parts.report_json);
   scene.settings_json = SettingsOf(options);
+  return scene;
+}
+
+void WritePage(const Project& project, const DrawingInScene& drawing,
+               const std::string& drawing_path, const PageOptions& options, PageParts parts,
+               Console* console) {
+  const auto shown = ShownAlignment(options.shown, drawing_path, drawing.metadata);
+  ViewerScene scene = MakeViewerScene(project, drawing, options, std::move(parts), shown);
+  scene.drawing = StampOf(drawing_path, PageFolder(project));
   const OutputPath path = project.DrawingPath(kViewerPage);
   WriteFileAtomically(path, [&](std::ostream& out) { WriteViewerPage(scene, out); });
   console->Say("wrote " + path.string() + ": " + std::to_string(scene.graph.links.size()) +

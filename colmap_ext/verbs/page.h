@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "colmap_ext/host/project.h"
 #include "colmap_ext/verbs/drawing_in_scene.h"
 #include "colmap_ext/verbs/page_options.h"
+#include "limn/model/alignment.h"
 #include "limn/viewer/page_reader.h"
 #include "limn/viewer/viewer_scene.h"
 
@@ -32,6 +34,12 @@ std::vector<ViewerPoint> MakeCloud(const Project& project, const std::string& wo
 std::vector<ViewerThumbnail> MakeThumbnails(const Project& project, const std::vector<View>& views,
                                             int size, const std::vector<PagePhoto>& known,
                                             Console* console);
+
+// What the page shows of the drawing: in the coordinates of the model, or in the world if there is
+// an alignment to show.
+ViewerScene MakeViewerScene(const Project& project, const DrawingInScene& drawing,
+                            const PageOptions& options, PageParts parts,
+                            const std::optional<Alignment>& shown);
 
 // Writes drawing.html beside the drawings of the project. `drawing_path`: the drawing's file.
 // Throws IoError, also for a drawing without an alignment whose world is to be shown, and

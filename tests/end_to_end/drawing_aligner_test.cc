@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/geometry/angle_between.h"
+#include "limn/geometry/polyline.h"
 #include "limn/util/angles.h"
 #include "limn/viewer/viewer_page.h"
 
@@ -171,9 +173,55 @@ TEST_F(DrawingAligner, KnownLengthsMakeExportsMetric) {
   EXPECT_NE(ReadTree(dir_.path())["aligned.dxf"].find("$INSUNITS\n70\n6\n"), std::string::npos);
 }
 
+// As COLMAP counts them, in the photographs as stored, which are larger than those in use.
+TEST_F(DrawingAligner, KnownLengthsAreBetweenPixelsOfPhotographs) {
+  const colmap_ext::SparseModel model = colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse");
+  const DrawingGraph graph = Read().graph;
+  // The ends of a long link that two of the images show, some pixels inside.
+  const auto pixel = [&](const colmap_ext::ModelImage& image, const Eigen::Vector3d& point) {
+    const auto& params = model.CameraOf(image).params;
+    const Eigen::Vector3d at = image.cam_from_world * point;
+    return Eigen::Vector2d(params[0] * at.x() / at.z() + params[2],
+                           params[1] * at.y() / at.z() + params[3]);
+  };
+  const DrawingLink* longest = nullptr;
+  for (const DrawingLink& link : graph.links) {
+    const bool is_line =
+        link.primitive && std::holds_alternative<LineSegment>(link.primitive->shape);
+    if (!is_line || link.supporting_views.size() < 4 || link.tentative) continue;
+    if (!longest || Length(link.points_in_world) > Length(longest->points_in_world))
+      longest = &link;
+  }
+  ASSERT_TRUE(longest);
+  const Eigen::Vector3d a = longest->points_in_world.front(), b = longest->points_in_world.back();
+  std::string text;
+  for (const double share : {0.3, 0.7}) {
+    const ViewId view = longest->supporting_views[share < 0.5 ? 0 : 1];
+    const std::string name = Read().metadata.view_names[view];
+    for (const auto& image : model.images) {
+      if (image.name != name) continue;
+      const Eigen::Vector2d at = pixel(image, a + share * (b - a));
+      char part[80];
+      std::snprintf(part, sizeof(part), "%s %.3f,%.3f", name.c_str(), at.x(), at.y());
+      text += (text.empty() ? "" : " to ") + std::string(part);
+    }
+  }
+  const double length = 0.4 * (b - a).norm();
+  const LimnRun run = Align({"--known_length", text + " = 5 m"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr(" px away\n"));
+  const Alignment alignment = *Read().metadata.alignment;
+  EXPECT_EQ(alignment.scale, ScaleSource::kLengths);
+  EXPECT_NEAR(alignment.world_from_model.scale * length, 5, 0.15) << text << run.out;
+
+  const LimnRun unknown = Align({"--known_length", "x.jpg 1,2 to x.jpg 3,4 = 5 m"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("no image in use is called x.jpg"));
+}
+
 // If this link is a meter long.
 double ScaleByLink(const DrawingGraph& graph, LinkId id) {
-  return FitLengths(graph, {{id, -1, -1, 1, ""}}).scale;
+  return FitLengths(graph, {{{id}, 1, ""}}).scale;
 }
 
 TEST_F(DrawingAligner, KnownLengthsAreOfTheDrawingThatIsShown) {

@@ -19,6 +19,7 @@ FILES = ['drawing.json', 'drawing.ply', 'drawing.obj', 'drawing.html', 'curves/t
 FUSED = ['with-curves', 'sparse-with-curves', 'with-curves/fused.ply', 'with-curves/fused-with-curves.ply',
          'with-curves/fused-with-curves.ply.vis', 'with-curves/sparse', 'sparse-with-curves/cameras.bin',
          'sparse-with-curves/rigs.bin', 'drawing-fused.json', 'drawing-fused.ply', 'drawing-fused.obj']
+ALIGNED = ['aligned', 'aligned/sparse', 'aligned.limn-tmp', 'aligned.limn-tmp.limn-tmp']
 EDGES = ['curves/edges', 'curves/fragments', 'curves/edges/view_3.png.edg', 'curves/fragments/view_3.png.cem']
 TARGETS = ['full folder', 'full folder', 'empty folder', 'file', 'dangling', 'loop', 'relative', 'chain', 'hard link']
 MINE = ['view_3.png.png', 'view_3.png.bin', 'view_3.png.edg', 'cameras.bin', 'fused.ply', 'fragments/view_3.png.bin',
@@ -78,7 +79,7 @@ def in_output(chooser):
     """A case of the drawer, or of another command, with --output_path."""
     options = chooser.choice([(), (), ('--page', '0'), ('--account', '1'), ('--refine_cameras', '1')])
     drawn, is_deep, overwrite = chooser.random() < 0.5, False, chooser.random() < 0.6
-    kind = chooser.choice(['drawer', 'drawer', 'deep', 'edges', 'fuser', 'other'])
+    kind = chooser.choice(['drawer', 'drawer', 'deep', 'edges', 'fuser', 'aligner', 'other'])
     command = hostile.drawer(*options, overwrite=overwrite)
     place = chooser.choice(FOLDERS + FILES)
     if kind == 'deep':
@@ -90,13 +91,16 @@ def in_output(chooser):
     elif kind == 'fuser':
         place, drawn = chooser.choice(FUSED), True
         command = ['drawing_fuser', *command[1:9]]
+    elif kind == 'aligner':
+        place, drawn = chooser.choice(ALIGNED), True
+        command = ['drawing_aligner', *command[1:9], '--apply_to', 'project']
     elif kind == 'other':
         drawn = True
         command = [chooser.choice(OTHERS), *command[1:9]]
     # Where the aligner and others only read a file, a link is as good as the file.
     target = chooser.choice([target for target in TARGETS if '.' in place or target != 'hard link'])
     told = f'{target} at {place}: {" ".join([command[0], *command[9:]])}{", overwrite" if overwrite else ""}'
-    return hostile.Case(told, prepare_with('out', place, target, is_deep, kind == 'fuser'), [command],
+    return hostile.Case(told, prepare_with('out', place, target, is_deep, kind in ('fuser', 'aligner')), [command],
                         names=[place.split('/')[-1], 'out/curves', 'out/drawing'], drawn=drawn, keeps=(*hostile.KEPT, 'curves/.lock'))
 
 

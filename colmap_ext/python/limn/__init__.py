@@ -167,9 +167,10 @@ def align(drawing: Drawing, known_length: Union[str, Iterable[str]] = (), *, pro
           **options: Any) -> Drawing:
     """The drawing with its alignment (up, horizontal axes, scale), as by drawing_aligner.
 
-    `known_length` has measured lengths: "link 12 = 2.40 m", "from 3 to 7 = 31 in" (nodes). The drawing needs its scene.
+    `known_length` has measured lengths: "link 12 = 2.40 m", "from 3 to 7 = 31 in" (nodes),
+    "a.jpg 120,340 to b.jpg 500,220 = 2.40 m" (pixels, the middle of the top-left one is 0.5,0.5). The drawing needs its scene.
     Positions stay the model's; save() stores the alignment, and export(..., aligned=True) applies it. Options:
-    database_path, use_positions. Writes nothing.
+    database_path, use_positions, world. Writes nothing.
     """
     return _limn.apply("align", drawing, texts_of(options, known_length=known_length or None), progress)
 

@@ -228,6 +228,20 @@ Eigen::Vector3d OriginInModel(const DrawingGraph& graph, const std::vector<Strai
   return rotation.transpose() * origin;
 }
 
+// Where the world is that of the positions: in the middle of the cameras, wherever up and scale are
+// from.
+Eigen::Vector3d TranslationToPositions(const AlignmentInput& input, const AlignmentResult& result) {
+  const auto& [scale, rotation, translation] = result.alignment.world_from_model;
+  const PositionFit& fit = *result.positions;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (size_t i = 0; i < result.positioned.size(); ++i) {
+    if (fit.is_rejected[i]) continue;
+    middle += input.views[result.positioned[i]].CenterInWorld();
+  }
+  middle /= static_cast<double>(result.positioned.size() - fit.num_rejected);
+  return fit.target_from_source * middle - scale * (rotation * middle);
+}
+
 }  // namespace
 
 AlignmentResult AlignDrawing(const AlignmentInput& input) {
@@ -240,15 +254,25 @@ AlignmentResult AlignDrawing(const AlignmentInput& input) {
   result.vertical = FindVertical(lines, hint.direction);
   const Up up = ChooseUp(hint, result);
   const Heading heading = HeadingHint(up.direction, result);
-  result.horizontal = FindHorizontal(lines, up.direction, heading.direction);
+  SetScale(&result);
+  const bool is_at_positions = input.world == WorldFrame::kPositions &&
+                               heading.source == AxesSource::kPositions &&
+                               result.alignment.IsMetric();
+  if (!is_at_positions) {
+    result.horizontal = FindHorizontal(lines, up.direction, heading.direction);
+  }
 
   Alignment& alignment = result.alignment;
   alignment.up = up.source;
   alignment.axes = result.horizontal ? AxesSource::kLines : heading.source;
-  SetScale(&result);
   Similarity3d& world_from_model = alignment.world_from_model;
   world_from_model.rotation = RotationOf(
       up.direction, result.horizontal ? result.horizontal->direction : heading.direction);
+  if (is_at_positions) {
+    result.world = WorldFrame::kPositions;
+    world_from_model.translation = TranslationToPositions(input, result);
+    return result;
+  }
   const Eigen::Vector3d origin = OriginInModel(input.graph, lines, world_from_model.rotation);
   world_from_model.translation = -world_from_model.scale * (world_from_model.rotation * origin);
   return result;

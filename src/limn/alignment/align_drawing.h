@@ -12,15 +12,24 @@
 
 namespace limn {
 
+// Whose coordinates those of the world are.
+enum class WorldFrame {
+  kDrawing,    // the middle of its floor is the origin, its main horizontal direction an axis
+  kPositions,  // those of the positions of cameras: x is east, the origin theirs
+};
+
 struct AlignmentInput {
   const std::vector<View>& views;  // that the drawing fits
   const DrawingGraph& graph;
   const std::vector<ViewPrior>& priors;  // one per view, or none
   const std::vector<KnownLength>& lengths;
+  WorldFrame world = WorldFrame::kDrawing;
 };
 
 struct AlignmentResult {
   Alignment alignment;
+  // That of the drawing if positions were asked for, but do not tell east and scale.
+  WorldFrame world = WorldFrame::kDrawing;
   // Intermediate results, set even where something better was used.
   std::optional<GravityUp> gravity;
   std::optional<PositionFit> positions;

@@ -20,18 +20,11 @@ namespace {
 // Two lengths make units of the drawing that differ by no more than this share, for what is
 // measured, and so many standard deviations of the drawing; but never by more than the last.
 constexpr double kSameShare = 0.05, kSigmas = 3, kMaxAllowed = 0.5;
+constexpr size_t kMaxTextBytes = 700;
 constexpr double kMinMeters = 1e-6, kMaxMeters = 1e6;
 
 [[noreturn]] void Fail(const std::string& text, const std::string& reason) {
   throw OptionError("known_length = " + Printable(text) + ": " + reason);
-}
-
-template <typename Number>
-std::optional<Number> NumberIn(const std::string& text) {
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
 }
 
 double MetersPer(const std::string& unit) {
@@ -46,28 +39,32 @@ double MetersPer(const std::string& unit) {
   return 0;
 }
 
-KnownLength ParseOne(const std::string& text) {
-  static const std::regex pattern(
-      R"((?:link\s+(\d{1,9})|from\s+(\d{1,9})\s+to\s+(\d{1,9}))\s*=\s*([0-9.eE+-]{1,30})\s*(mm|cm|m|in|ft))");
+// 0 for no number. Nothing if this is not of the form.
+std::optional<double> MetersOf(const std::string& text) {
+  static const std::regex pattern(R"(\s*([0-9.eE+-]{1,30})\s*(mm|cm|m|in|ft))");
   std::smatch match;
-  // Long texts overflow the stack of std::regex.
-  if (text.size() > 200 || !std::regex_match(text, match, pattern)) {
-    Fail(text.substr(0, 200),
-         "must be like \"link 12 = 2.40 m\" or \"from 3 to 7 = 2.40 m\", in mm, cm, m, in or ft");
+  if (!std::regex_match(text, match, pattern)) return std::nullopt;
+  const std::string number = match[1];
+  double value = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  const bool is_number = error == std::errc() && end == number.data() + number.size();
+  return is_number ? value * MetersPer(match[2]) : 0;
+}
+
+KnownLength ParseOne(const std::string& text) {
+  const size_t equals = text.rfind('=');
+  const bool is_short = text.size() <= kMaxTextBytes && equals != std::string::npos;
+  const auto span = is_short ? ParseSpan(text.substr(0, equals)) : std::nullopt;
+  const auto meters = span ? MetersOf(text.substr(equals + 1)) : std::nullopt;
+  if (!meters) {
+    Fail(text.substr(0, kMaxTextBytes),
+         "must be like \"link 12 = 2.40 m\", \"from 3 to 7 = 2.40 m\" or \"a.jpg 120,340 to b.jpg "
+         "500,220 = 2.40 m\", in mm, cm, m, in or ft");
   }
-  KnownLength length;
-  length.text = text;
-  if (match[1].matched) {
-    length.link = *NumberIn<int>(match[1]);
-  } else {
-    length.node0 = *NumberIn<int>(match[2]);
-    length.node1 = *NumberIn<int>(match[3]);
-  }
-  length.meters = NumberIn<double>(match[4]).value_or(0) * MetersPer(match[5]);
-  if (!(length.meters >= kMinMeters && length.meters <= kMaxMeters)) {
+  if (!(*meters >= kMinMeters && *meters <= kMaxMeters)) {
     Fail(text, "the length must be >= 1e-6 and <= 1e6 m");
   }
-  return length;
+  return {*span, *meters, text};
 }
 
 double ShapeLength(const DrawingLink& link) {
@@ -80,22 +77,22 @@ double ShapeLength(const DrawingLink& link) {
   return Length(link.points_in_world);
 }
 
-double LengthInDrawing(const DrawingGraph& graph, const KnownLength& known) {
-  const auto check = [&](const char* what, int id, size_t count) {
-    if (id < static_cast<int>(count)) return;
-    Fail(known.text, "the drawing has no " + std::string(what) + " " + std::to_string(id) +
-                         ", only " + std::to_string(count));
-  };
-  if (known.link >= 0) {
-    check("link", known.link, graph.links.size());
-    return ShapeLength(graph.links[known.link]);
+// In the drawing, with its uncertainty.
+struct MeasuredLength {
+  double length = 0;
+  double sigma = 0;
+};
+
+MeasuredLength Measure(const DrawingGraph& graph, const KnownLength& known) {
+  try {
+    const auto [from, to] = EndsOf(graph, known.span);
+    const double length = known.span.link >= 0 ? ShapeLength(graph.links[known.span.link])
+                                               : (to.position - from.position).norm();
+    if (!(length > 0)) throw InputError("both places are the same");
+    return {length, std::hypot(from.sigma, to.sigma)};
+  } catch (const InputError& error) {
+    Fail(known.text, error.what());
   }
-  for (const NodeId node : {known.node0, known.node1}) check("node", node, graph.nodes.size());
-  const double distance =
-      (graph.nodes[known.node0].position_in_world - graph.nodes[known.node1].position_in_world)
-          .norm();
-  if (!(distance > 0)) Fail(known.text, "both nodes are at the same place");
-  return distance;
 }
 
 // What a known length makes of the drawing's unit.
@@ -103,27 +100,6 @@ struct UnitLength {
   double log_meters = 0;  // natural logarithm of the meters per unit
   double sigma = 0;       // of that, by the uncertainty of the drawing
 };
-
-double EndSigma(const DrawingGraph& graph, const LinkEnd& at) {
-  const std::vector<double>& sigma = graph.links[at.link].sigma;
-  if (sigma.empty()) return 0;
-  return at.end == 0 ? sigma.front() : sigma.back();
-}
-
-double NodeSigma(const DrawingGraph& graph, NodeId node) {
-  double largest = 0;
-  for (const LinkEnd& end : graph.nodes[node].incident) {
-    largest = std::max(largest, EndSigma(graph, end));
-  }
-  return largest;
-}
-
-UnitLength UnitBy(const DrawingGraph& graph, const KnownLength& known, double length) {
-  const bool is_link = known.link >= 0;
-  const double sigma0 = is_link ? EndSigma(graph, {known.link, 0}) : NodeSigma(graph, known.node0);
-  const double sigma1 = is_link ? EndSigma(graph, {known.link, 1}) : NodeSigma(graph, known.node1);
-  return {std::log(known.meters / length), std::hypot(sigma0, sigma1) / length};
-}
 
 // By how much two differ beyond what their uncertainties allow; not above 0 if they agree.
 double Contradiction(const UnitLength& a, const UnitLength& b) {
@@ -204,9 +180,9 @@ LengthFit FitLengths(const DrawingGraph& graph, const std::vector<KnownLength>& 
   std::vector<UnitLength> units;
   double product = 0, square = 0;
   for (const KnownLength& known : lengths) {
-    const double length = LengthInDrawing(graph, known);
+    const auto [length, sigma] = Measure(graph, known);
     fit.lengths.push_back(length);
-    units.push_back(UnitBy(graph, known, length));
+    units.push_back({std::log(known.meters / length), sigma / length});
     product += length * known.meters;
     square += length * length;
   }

@@ -3,21 +3,20 @@
 #include <string>
 #include <vector>
 
+#include "limn/alignment/drawing_span.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn {
 
-// A length of the drawing that was measured in the world: of a link, or between two nodes.
+// A length of the drawing that was measured in the world: of a link, or between two places.
 struct KnownLength {
-  LinkId link = -1;  // -1: between the nodes
-  NodeId node0 = -1;
-  NodeId node1 = -1;
+  DrawingSpan span;
   double meters = 0;
   std::string text;  // as it was given
 };
 
-// From texts such as "link 12 = 2.40 m" and "from 3 to 7 = 8 ft"; the units are mm, cm, m, in and
-// ft. Throws OptionError for the option `known_length`.
+// From texts such as "link 12 = 2.40 m" and "from 3 to 7 = 8 ft" (see ParseSpan); the units are mm,
+// cm, m, in and ft. Throws OptionError for the option `known_length`.
 std::vector<KnownLength> ParseKnownLengths(const std::vector<std::string>& texts);
 
 struct LengthFit {
@@ -31,7 +30,7 @@ struct LengthFit {
 // noise of its points; for a spline or a link without a primitive it is that of its points. Throws
 // OptionError if the drawing has no such link or node, two nodes are at one place, or two lengths
 // contradict each other (algorithm/alignment.md#contradictions): names the two that do most.
-// Quadratic in the lengths. Precondition: there are lengths.
+// Quadratic in the lengths. Preconditions: there are lengths; places of pixels are known.
 LengthFit FitLengths(const DrawingGraph& graph, const std::vector<KnownLength>& lengths);
 
 }  // namespace limn

@@ -4,8 +4,13 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <mutex>
 #include <set>
+
+#include <sys/stat.h>
+
+#include "limn/util/errors.h"
 
 namespace limn {
 namespace {
@@ -51,8 +56,7 @@ TemporaryPath::~TemporaryPath() {
 
 int TemporaryPath::RenameTo(const std::string& name) {
   const std::lock_guard lock(Writes().mutex);
-  const int folder = folder_.descriptor();
-  if (renameat(folder, path_.Name().c_str(), folder, name.c_str()) != 0) return errno;
+  if (const int reason = Rename(path_.Name(), name)) return reason;
   is_renamed_ = true;
   // What is in a temporary folder is not a result yet.
   const bool is_inside = std::ranges::any_of(Writes().paths, [&](const TemporaryPath* other) {
@@ -60,6 +64,31 @@ int TemporaryPath::RenameTo(const std::string& name) {
   });
   if (!is_inside) ++Writes().num_renamed;
   return 0;
+}
+
+int TemporaryPath::Replace(const std::string& name) {
+  const std::lock_guard lock(Writes().mutex);
+  const std::string old = path_.Name() + std::string(kTemporarySuffix);
+  if (const int reason = Rename(name, old)) return reason;
+  if (const int reason = Rename(path_.Name(), name)) {
+    Rename(old, name);
+    return reason;
+  }
+  Rename(old, path_.Name());  // from now on it is the temporary one
+  ++Writes().num_renamed;
+  return 0;
+}
+
+int TemporaryPath::Rename(const std::string& from, const std::string& to) const {
+  const int folder = folder_.descriptor();
+  return renameat(folder, from.c_str(), folder, to.c_str()) == 0 ? 0 : errno;
+}
+
+void MakeEmptyFolder(const WritableFolder& folder, const std::string& name) {
+  folder.RemoveAll(name);
+  if (mkdirat(folder.descriptor(), name.c_str(), 0777) == 0) return;
+  throw IoError(folder.path() + "/" + name,
+                std::string("cannot create the folder: ") + std::strerror(errno));
 }
 
 void AbandonWrites() {

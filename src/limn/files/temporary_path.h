@@ -25,14 +25,21 @@ class TemporaryPath {
 
   // Gives it its final name, in the same folder and in one step. Returns 0, or errno.
   int RenameTo(const std::string& name);
+  // The same in the place of a folder of this name, which is removed: as soon as this object is.
+  int Replace(const std::string& name);
 
  private:
   friend void AbandonWrites();
+  int Rename(const std::string& from, const std::string& to) const;
 
   OutputPath path_;
   bool is_renamed_ = false;
   WritableFolder folder_;  // last: others see all of the object once it is made
 };
+
+// Makes an empty folder, for a TemporaryPath: whatever a killed run has left there is removed.
+// Throws IoError.
+void MakeEmptyFolder(const WritableFolder& folder, const std::string& name);
 
 // Removes the temporary paths of all threads. From now on, other threads block forever when they
 // create, rename or destroy one: call it right before the process exits without waiting for them.

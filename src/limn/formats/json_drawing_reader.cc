@@ -340,6 +340,14 @@ DrawingFile ParseDrawingJson(const std::string& name, const std::string& text) {
   }
 }
 
+DrawingMetadata After(const Similarity3d& file_from_model, DrawingMetadata metadata) {
+  if (metadata.alignment) metadata.alignment = After(file_from_model, *metadata.alignment);
+  if (auto& direction = metadata.main_view_direction) {
+    direction = Eigen::Vector3d(file_from_model.rotation * *direction);
+  }
+  return metadata;
+}
+
 DrawingFile ReadDrawingJson(const std::string& path) {
   return ParseDrawingJson(path, ReadWholeFile(path, kMaxDrawingBytes));
 }

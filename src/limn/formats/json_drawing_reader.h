@@ -23,6 +23,9 @@ struct DrawingMetadata {
   std::string refined_cameras = "";
 };
 
+// Of the drawing whose coordinates were changed by file_from_model.
+DrawingMetadata After(const Similarity3d& file_from_model, DrawingMetadata metadata);
+
 struct DrawingFile {
   DrawingGraph graph;
   DrawingMetadata metadata;

@@ -36,8 +36,8 @@ const char* SourceName(AxesSource source);
 // "none", "lengths", "positions".
 const char* SourceName(ScaleSource source);
 
-// How a drawing in the coordinates of its model lies in the world: z is up, z = 0 its floor, and
-// lengths are in meters unless the scale is unknown.
+// How a drawing in the coordinates of its model lies in the world: z is up, z = 0 its floor unless
+// the world has an origin of its own, and lengths are in meters unless the scale is unknown.
 struct Alignment {
   Similarity3d world_from_model;
   UpSource up = UpSource::kCameras;

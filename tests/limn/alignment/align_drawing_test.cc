@@ -34,7 +34,9 @@ class AlignDrawingTest : public ::testing::Test {
     }
   }
 
-  AlignmentResult Align() const { return AlignDrawing({views_, graph_, priors_, lengths_}); }
+  AlignmentResult Align(WorldFrame world = WorldFrame::kDrawing) const {
+    return AlignDrawing({views_, graph_, priors_, lengths_, world});
+  }
 
   double UpErrorDeg(const AlignmentResult& result) const {
     return AngleDeg(Error(result).col(2), Eigen::Vector3d::UnitZ());
@@ -135,6 +137,48 @@ TEST_F(AlignDrawingTest, KnownLengthsTellTheScaleBetterThanPositions) {
   const AlignmentResult result = Align();
   EXPECT_EQ(result.alignment.scale, ScaleSource::kLengths);
   EXPECT_LT(ScaleError(result), 1e-9);
+}
+
+// As in a national grid.
+const Eigen::Vector3d kGridShift(2600000, 1200000, 430);
+
+TEST_F(AlignDrawingTest, TheWorldOfPositionsIsTheirs) {
+  for (Eigen::Vector3d& center : centers_) center += kGridShift;
+  SetPositions(0);
+  priors_[3].position->x() += 50;  // a wrong one has no say
+  const AlignmentResult result = Align(WorldFrame::kPositions);
+  EXPECT_EQ(result.world, WorldFrame::kPositions);
+  EXPECT_EQ(result.alignment.axes, AxesSource::kPositions);
+  const Similarity3d moved = result.alignment.world_from_model * model_from_world_;
+  EXPECT_NEAR(moved.scale, 1, 1e-9);
+  EXPECT_LT((moved.rotation - Eigen::Matrix3d::Identity()).norm(), 1e-8);
+  EXPECT_LT((moved.translation - kGridShift).norm(), 1e-6);
+}
+
+// A length is better known than the scale of positions; the cameras stay in their middle.
+TEST_F(AlignDrawingTest, TheWorldOfPositionsTakesItsScaleFromLengths) {
+  for (Eigen::Vector3d& center : centers_) center = 1.05 * center + kGridShift;
+  SetPositions(0);
+  const DrawingLink& link = graph_.links[0];
+  const double length = (link.points_in_world.back() - link.points_in_world.front()).norm();
+  lengths_ = {{{0}, length / model_from_world_.scale, "link 0"}};
+  const AlignmentResult result = Align(WorldFrame::kPositions);
+  const Similarity3d& world_from_model = result.alignment.world_from_model;
+  EXPECT_NEAR(world_from_model.scale * model_from_world_.scale, 1, 1e-9);
+  Eigen::Vector3d off = Eigen::Vector3d::Zero();
+  for (size_t v = 0; v < views_.size(); ++v) {
+    off += world_from_model * views_[v].CenterInWorld() - *priors_[v].position;
+  }
+  EXPECT_LT(off.norm(), 1e-5);
+}
+
+TEST_F(AlignDrawingTest, WithoutGoodPositionsTheWorldIsThatOfTheDrawing) {
+  EXPECT_EQ(Align(WorldFrame::kPositions).world, WorldFrame::kDrawing);
+  SetPositions(20);
+  const AlignmentResult noisy = Align(WorldFrame::kPositions);
+  EXPECT_EQ(noisy.world, WorldFrame::kDrawing);
+  EXPECT_EQ(noisy.alignment.world_from_model.translation,
+            Align().alignment.world_from_model.translation);
 }
 
 }  // namespace

@@ -16,11 +16,11 @@ TEST(KnownLengths, AreOfLinksAndBetweenNodes) {
   const auto lengths = ParseKnownLengths({"link 12 = 2.40 m", "from 3 to 7=8ft", "link 0=35 mm",
                                           "link  1  =  1.5e2  cm", "link 2 = 10 in"});
   ASSERT_EQ(lengths.size(), 5u);
-  EXPECT_EQ(lengths[0].link, 12);
+  EXPECT_EQ(lengths[0].span.link, 12);
   EXPECT_DOUBLE_EQ(lengths[0].meters, 2.4);
-  EXPECT_EQ(lengths[1].link, -1);
-  EXPECT_EQ(lengths[1].node0, 3);
-  EXPECT_EQ(lengths[1].node1, 7);
+  EXPECT_EQ(lengths[1].span.link, -1);
+  EXPECT_EQ(lengths[1].span.node0, 3);
+  EXPECT_EQ(lengths[1].span.node1, 7);
   EXPECT_DOUBLE_EQ(lengths[1].meters, 8 * 0.3048);
   EXPECT_DOUBLE_EQ(lengths[2].meters, 0.035);
   EXPECT_DOUBLE_EQ(lengths[3].meters, 1.5);
@@ -113,7 +113,7 @@ TEST(KnownLengths, ThatTheDrawingDoesNotHaveAreNamed) {
   };
   fails("link 38 = 1 m", "the drawing has no link 38, only 38");
   fails("from 0 to 500 = 1 m", "the drawing has no node 500, only 76");
-  fails("from 3 to 3 = 1 m", "both nodes are at the same place");
+  fails("from 3 to 3 = 1 m", "both places are the same");
 }
 
 }  // namespace

@@ -1,0 +1,110 @@
+#include "limn/alignment/image_point.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "limn/util/errors.h"
+#include "limn/util/number_text.h"
+#include "limn/util/printable.h"
+
+namespace limn {
+namespace {
+
+// Links whose distances differ by less are equally near: the one in front is meant.
+constexpr double kSamePlacePx = 1;
+
+struct Candidate {
+  DrawingPlace place;
+  double depth = 0;
+  bool is_supported = false;
+};
+
+// A point of a link as the photograph shows it.
+struct SeenPoint {
+  Eigen::Vector2d pixel;
+  double depth = 0;
+};
+
+std::optional<SeenPoint> See(const View& view, const Eigen::Vector3d& point) {
+  const auto pixel = view.Project(point);
+  const auto stored = pixel ? view.StoredFromVirtual(*pixel) : std::nullopt;
+  if (!stored) return std::nullopt;
+  return SeenPoint{*stored, (view.cam_from_world * point).z()};
+}
+
+double Mix(double a, double b, double share) { return a + share * (b - a); }
+
+// The nearest place on a segment of a link. In space it is not where it is in the image: what is
+// nearer to the camera is longer there.
+Candidate NearestOnSegment(const DrawingLink& link, size_t i, const SeenPoint& a,
+                           const SeenPoint& b, const Eigen::Vector2d& pixel) {
+  const Eigen::Vector2d along = b.pixel - a.pixel;
+  const double square = along.squaredNorm();
+  const double in_image =
+      square > 0 ? std::clamp((pixel - a.pixel).dot(along) / square, 0.0, 1.0) : 0.0;
+  const double in_space = in_image * a.depth / (b.depth + in_image * (a.depth - b.depth));
+  Candidate found;
+  found.place.position =
+      link.points_in_world[i] + in_space * (link.points_in_world[i + 1] - link.points_in_world[i]);
+  found.place.distance_px = (a.pixel + in_image * along - pixel).norm();
+  found.depth = Mix(a.depth, b.depth, in_space);
+  if (!link.sigma.empty()) found.place.sigma = Mix(link.sigma[i], link.sigma[i + 1], in_space);
+  return found;
+}
+
+std::optional<Candidate> NearestOnLink(const DrawingLink& link, const View& view,
+                                       const Eigen::Vector2d& pixel) {
+  std::optional<Candidate> best;
+  std::optional<SeenPoint> before;
+  for (size_t i = 0; i < link.points_in_world.size(); ++i) {
+    const std::optional<SeenPoint> here = See(view, link.points_in_world[i]);
+    if (before && here) {
+      const Candidate found = NearestOnSegment(link, i - 1, *before, *here, pixel);
+      if (!best || found.place.distance_px < best->place.distance_px) best = found;
+    }
+    before = here;
+  }
+  return best;
+}
+
+std::vector<Candidate> CandidatesAt(const Eigen::Vector2d& pixel, const View& view, ViewId id,
+                                    const DrawingGraph& graph) {
+  std::vector<Candidate> candidates;
+  for (size_t i = 0; i < graph.links.size(); ++i) {
+    auto found = NearestOnLink(graph.links[i], view, pixel);
+    if (!found || found->place.distance_px > kMaxSnapPx) continue;
+    found->place.link = static_cast<LinkId>(i);
+    found->is_supported = std::ranges::count(graph.links[i].supporting_views, id) > 0;
+    candidates.push_back(*found);
+  }
+  return candidates;
+}
+
+}  // namespace
+
+std::string TextOf(const ImagePoint& point) {
+  return Printable(point.image) + " " + NumberText(point.pixel.x()) + "," +
+         NumberText(point.pixel.y());
+}
+
+DrawingPlace SnapToDrawing(const ImagePoint& point, const View& view, ViewId id,
+                           const DrawingGraph& graph) {
+  // The middle of the top-left pixel is (0, 0) in views.
+  const Eigen::Vector2d pixel = point.pixel - Eigen::Vector2d(0.5, 0.5);
+  std::vector<Candidate> candidates = CandidatesAt(pixel, view, id, graph);
+  const bool has_supported =
+      std::ranges::any_of(candidates, [](const Candidate& one) { return one.is_supported; });
+  std::erase_if(candidates,
+                [&](const Candidate& one) { return has_supported && !one.is_supported; });
+  if (candidates.empty()) {
+    throw InputError("no link of the drawing is within " + ShortNumber(kMaxSnapPx) + " px of " +
+                     TextOf(point));
+  }
+  const auto distance = [](const Candidate& one) { return one.place.distance_px; };
+  const double least = std::ranges::min(candidates, {}, distance).place.distance_px;
+  std::erase_if(candidates,
+                [&](const Candidate& one) { return distance(one) > least + kSamePlacePx; });
+  return std::ranges::min(candidates, {}, &Candidate::depth).place;
+}
+
+}  // namespace limn
