@@ -25,8 +25,8 @@ PageOptions OptionsOf(const StoredPage& page) {
   if (page.settings_json.empty()) return options;
   const auto json = ParseJson("settings of the page", page.settings_json);
   const JsonValue settings(json);
-  options.thumbnail_size = settings.At("thumbnail_size").Integer();
-  if (settings.At("in_model").Bool()) options.shown = PageOptions::Shown::kModel;
+  if (const auto size = settings.Find("thumbnail_size")) options.thumbnail_size = size->Integer();
+  if (settings.BoolOr("in_model", false)) options.shown = PageOptions::Shown::kModel;
   options.Check();
   return options;
 }

@@ -67,7 +67,7 @@ test('edits are offered again when the page is opened again, and taken up', () =
     await page.close({ runBeforeUnload: false });
 
     const next = await openPage(context);
-    assert.match(await notice(next).textContent(), /^2 edits of .* were never downloaded\.Take up/);
+    assert.match(await notice(next).textContent(), /^Never downloaded: 2 edits of .*\.Take up/);
     assert.deepEqual(await editsOf(next), []);
     await answer(next, 'Take up').click();
     await rest(next);

@@ -86,7 +86,7 @@ export class Editor {
     const changed =
       left.fingerprint === this.kept.fingerprint ? '' : ' The drawing has changed since.';
     this.on.offer(
-      `${count(left.count)} ${name} of ${moment(left.time)} were never downloaded.${changed}`,
+      `Never downloaded: ${count(left.count)} ${name} of ${moment(left.time)}.${changed}`,
       [
         { label: 'Take up', run: () => this.takeUp(left) },
         { label: 'Discard', run: () => this.discard(left) },
