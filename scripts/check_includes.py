@@ -2,7 +2,7 @@
 """Check the layer rule: a module includes lower layers and itself only, and what includes what is no loop.
 
 The layers of src/limn are those of src/README.md, the layers of colmap_ext those of
-colmap_ext/README.md. Every module must have a layer here, and the order of the CMakeLists.txt
+colmap_ext/docs/developing.md. Every module must have a layer here, and the order of the CMakeLists.txt
 beside the modules must follow the layers. A header and the source beside it are one room: no room may include itself by
 way of others, in one folder or across several. Some folders have a door, the one header that others include.
 Third-party libraries are used only where the table at the end allows it.

@@ -1,5 +1,5 @@
 // From photographs to a corrected plan: edits made in the page by pointer and keys, and the file that
-// it downloads applied by the program, as in colmap_ext/README.md.
+// it downloads applied by the program, as in colmap_ext/docs/workflows.md.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

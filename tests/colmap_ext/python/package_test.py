@@ -48,7 +48,7 @@ class Package(unittest.TestCase):
         cls.environment = {**environment, "LIMN_BUILD_DIR": str(BUILD), "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
         before = set(PACKAGE.rglob("*"))
         # As the documentation says, without a network.
-        (command,) = re.findall(r"`pip (wheel .*?)`", (ROOT / "colmap_ext/README.md").read_text(encoding="utf-8"))
+        (command,) = re.findall(r"`pip (wheel .*?)`", (ROOT / "colmap_ext/docs/python.md").read_text(encoding="utf-8"))
         run(sys.executable, "-m", "pip", *command.split(), "-w", cls.folder, cwd=ROOT,
             env={**cls.environment, "PIP_NO_INDEX": "1"})
         cls.left = set(PACKAGE.rglob("*")) - before
