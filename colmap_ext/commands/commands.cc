@@ -42,7 +42,7 @@ int RunOnProject(const Command& command, int argc, const char* const* argv,
   options.layout.starts_from = verb->StartsFrom(options);
   const Project project(options, console.get());
   verb->Run(project, options, console.get());
-  if (verb->WritesDrawing()) RenewPage(project, console.get());
+  if (verb->WritesDrawing()) RenewPage(project, options.layout.workspace_path, console.get());
   return 0;
 }
 

@@ -74,6 +74,10 @@ void CopyVisibility(const std::string& path, uint64_t num_points, std::ostream& 
 
 }  // namespace
 
+bool HasDenseFiles(const fs::path& folder) {
+  return IsThere(folder / kCloud) || !MeshesIn(folder).empty();
+}
+
 MovedFiles MoveDenseFiles(const fs::path& from, const Similarity3d& similarity,
                           const std::string& comment, const OutputPath& to,
                           const RunContext& context) {

@@ -16,6 +16,9 @@ struct MovedFiles {
   std::vector<std::string> left_out;  // why others were not: a line each, with the path
 };
 
+// Whether there is such a file in a folder.
+bool HasDenseFiles(const std::filesystem::path& folder);
+
 // Writes what there is in `from` of fused.ply and meshed-*.ply to the folder `to`, moved (MovePly),
 // with this comment in their headers, and fused.ply.vis as it is. Damaged ones are left out. Throws
 // IoError for what cannot be written, and Cancelled.

@@ -14,9 +14,13 @@ enum class Depth { kOne, kAll };
 // The folders beside that of curves, which commands write.
 constexpr const char* kFolders[] = {"refined", "with-curves", "sparse-with-curves"};
 
+// Other folders of temporary names may be being written by commands that hold no lock.
+const std::string kTemporaryProject = std::string("aligned") + kTemporarySuffix;
+
 void RemoveTemporaryFilesIn(const WritableFolder& folder, Depth depth) {
   for (const std::string& name : folder.Names()) {
-    if (name.ends_with(kTemporarySuffix)) folder.RemoveAll(name);
+    if (name == kTemporaryProject) folder.RemoveAll(name);
+    if (name.ends_with(kTemporarySuffix)) folder.Remove(name);
     const auto inner = depth == Depth::kAll ? folder.Enter(name) : std::nullopt;
     if (inner) RemoveTemporaryFilesIn(*inner, depth);
   }

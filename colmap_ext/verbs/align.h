@@ -73,6 +73,8 @@ class AlignVerb : public DrawingVerb {
   OptionGroups Groups() const override { return {.overwrites = true}; }
   bool HasOwnOptions() const override { return true; }
   bool KeepsGraph() const override { return true; }
+  // A named drawing may be anywhere.
+  bool WritesDrawing() const override { return drawing_path().empty(); }
   void AddOptions(OptionParser* parser) override;
   void AddFileOptions(OptionParser* parser) override;
   void Prepare(RunOptions* options, Console* console) override;

@@ -103,8 +103,10 @@ void WriteDrawingFiles(const Project& project, const DrawingInScene& drawing,
   metadata.refined_cameras.clear();
   WriteDrawing(folder / "drawing.json", graph, metadata);
   const DrawingGraph selected = Selected(graph, LinkSelection());
+  DrawingFormatOptions format;
+  if (metadata.alignment->IsMetric()) format.unit = LengthUnit::kMeter;
   for (const char* name : {"drawing.ply", "drawing.obj"}) {
-    WriteDrawing(folder / name, selected, metadata);
+    WriteDrawing(folder / name, selected, metadata, format);
   }
 }
 
@@ -113,7 +115,9 @@ void WriteAlignedPage(const Project& project, const RunOptions& options,
                       const OutputPath& folder, Console* console) {
   Alignment shown = *drawing.metadata.alignment;
   shown.world_from_model = frame.frame_from_model;
-  const PageOptions page;
+  PageOptions page;
+  // Once it is renewed: the coordinates of the folder, not those far away.
+  if (frame.HasOffset()) page.shown = PageOptions::Shown::kModel;
   PageParts parts;
   parts.report_json = ReportOfPage(project, console);
   parts.cloud = MakeCloud(project, options.layout.workspace_path, page, console);
@@ -136,8 +140,10 @@ void WriteOffset(const AlignedFrame& frame, const OutputPath& folder) {
 
 // The dense workspace, or else the project; empty if neither is given.
 fs::path DenseFolder(const Project& project, const RunOptions& options) {
+  const fs::path workspace = options.layout.workspace_path;
   const fs::path& dense = project.layout().dense_dir;
-  return dense.empty() ? fs::path(options.layout.workspace_path) : dense;
+  const bool is_elsewhere = !HasDenseFiles(dense) && HasDenseFiles(workspace);
+  return dense.empty() || is_elsewhere ? workspace : dense;
 }
 
 void SayDense(const MovedFiles& moved, const Project& project, const fs::path& dense,

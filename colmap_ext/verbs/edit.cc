@@ -40,6 +40,7 @@ void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Conso
 void SayOtherDrawing(const DrawingStamp& of_page, const DrawingInScene& given, Console* console) {
   const bool is_known = !of_page.fingerprint.empty() && !given.fingerprint.empty();
   if (!is_known || of_page.fingerprint == given.fingerprint) return;
+  if (of_page.name == kFusedDrawing) return;  // the same links, with classes
   const std::string name = of_page.name.empty() ? "another drawing" : Printable(of_page.name);
   console->Say("WARNING: the edits were made in a page of " + name +
                " as it is no longer, or of another folder: what they name is looked for by its "

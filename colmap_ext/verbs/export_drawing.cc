@@ -55,7 +55,8 @@ FileFrame FrameOf(const ExporterOptions& options, const DrawingMetadata& metadat
                         ": the scale of the drawing is known, and the unit converts to it: leave "
                         "one of them out");
     }
-    if (unit == LengthUnit::kNone && options.IsAligned() && scale == 1) unit = LengthUnit::kMeter;
+    const bool is_in_meters = options.IsAligned() || FormatName(options) == "glb";
+    if (unit == LengthUnit::kNone && is_in_meters && scale == 1) unit = LengthUnit::kMeter;
     if (unit != LengthUnit::kNone) scale = Millimeters(LengthUnit::kMeter) / Millimeters(unit);
   }
   Similarity3d file_from_world = {scale, ZUpFrom(options.up_axis), Eigen::Vector3d::Zero()};
@@ -328,6 +329,9 @@ void ExporterOptions::Check() const {
   }
   if (name == kLimapFormat && workspace.workspace_path.empty()) {
     throw OptionError("output_type = limap: the cameras of --workspace_path go with it");
+  }
+  if (name == kLimapFormat && format.unit != LengthUnit::kNone) {
+    throw OptionError("unit: a model of LIMAP keeps its coordinates");
   }
   if (IsInModel(*this) && (scale != 1 || up_axis != SignedAxis::kZ || aligned)) {
     throw OptionError("scale, up_axis and aligned: " +

@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "colmap_ext/dense_files/dense_cloud.h"
 #include "colmap_ext/dense_files/products.h"
 #include "colmap_ext/host/world_shift.h"
@@ -68,6 +66,15 @@ Points DensePoints(const Project& project, const std::vector<fs::path>& files, i
     console->Say("WARNING: " + files.front().string() + ": " + note);
   }
   return points;
+}
+
+// Empty if there is no such file.
+std::string StateOf(const fs::path& file) {
+  std::error_code error;
+  const auto size = fs::file_size(file, error);
+  if (error) return "";
+  const auto time = fs::last_write_time(file, error).time_since_epoch().count();
+  return file.string() + " " + std::to_string(size) + " " + std::to_string(time) + ";";
 }
 
 // What a photograph may take in a page of 1024 px, and all of them together; text in base64.
@@ -164,15 +171,33 @@ DrawingStamp StampOf(const std::string& drawing_path, const fs::path& folder) {
 
 }  // namespace
 
-std::vector<ViewerPoint> MakeCloud(const Project& project, const std::string& workspace_path,
-                                   const PageOptions& options, Console* console) {
+std::string CloudSource(const Project& project, const std::string& workspace_path,
+                        const PageOptions& options) {
+  if (options.cloud == "none") return "";
+  std::vector<fs::path> files;
+  if (options.cloud != "sparse") {
+    files = FindDenseCloud(workspace_path, project.layout().dense_dir);
+  }
+  if (files.empty()) {
+    for (const char* name : {"points3D.bin", "points3D.txt"}) {
+      files.push_back(project.layout().model_dir / name);
+    }
+  }
+  std::string source;
+  for (const fs::path& file : files) source += StateOf(file);
+  return source;
+}
+
+PageCloud MakeCloud(const Project& project, const std::string& workspace_path,
+                    const PageOptions& options, Console* console) {
   if (options.cloud == "none") return {};
+  const std::string source = CloudSource(project, workspace_path, options);
   if (options.cloud != "sparse") {
     const std::vector<fs::path> files = FindDenseCloud(workspace_path, project.layout().dense_dir);
     if (!files.empty()) {
       console->Say("cloud: " + files.front().string());
       try {
-        return DensePoints(project, files, options.max_points, console);
+        return {DensePoints(project, files, options.max_points, console), source};
       } catch (const IoError& error) {
         // The page is worth more than its cloud.
         if (options.cloud == "dense") throw;
@@ -184,7 +209,7 @@ std::vector<ViewerPoint> MakeCloud(const Project& project, const std::string& wo
     }
   }
   console->Say("cloud: the points of the model");
-  return SparsePoints(project, options.max_points);
+  return {SparsePoints(project, options.max_points), source};
 }
 
 std::vector<ViewerThumbnail> MakeThumbnails(const Project& project, const std::vector<View>& views,
@@ -216,11 +241,11 @@ ViewerScene MakeViewerScene(const Project& project, const DrawingInScene& drawin
   scene.detail = options.detail;
   scene.graph = Moved(drawing.graph, project.origin());
   scene.views = Moved(drawing.views, project.origin());
-  scene.cloud = std::move(parts.cloud);
+  scene.cloud = std::move(parts.cloud.points);
   if (shown) MoveToWorld(*shown, &scene);
   scene.thumbnails = std::move(parts.thumbnails);
   scene.report_json = std::move(parts.report_json);
-  scene.settings_json = SettingsOf(options);
+  scene.settings_json = SettingsOf(options, parts.cloud.source);
   return scene;
 }
 

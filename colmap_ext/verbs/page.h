@@ -15,10 +15,14 @@ namespace limn::colmap_ext {
 
 constexpr const char* kViewerPage = "drawing.html";
 
+struct PageCloud {
+  std::vector<ViewerPoint> points;  // in the coordinates of the model
+  std::string source;               // CloudSource
+};
+
 // What a page has beside a drawing.
 struct PageParts {
-  // In the coordinates of the model.
-  std::vector<ViewerPoint> cloud;
+  PageCloud cloud;
   // Per view.
   std::vector<ViewerThumbnail> thumbnails;
   // See ViewerScene.
@@ -26,8 +30,13 @@ struct PageParts {
 };
 
 // Throws IoError, also if the requested cloud does not exist.
-std::vector<ViewerPoint> MakeCloud(const Project& project, const std::string& workspace_path,
-                                   const PageOptions& options, Console* console);
+PageCloud MakeCloud(const Project& project, const std::string& workspace_path,
+                    const PageOptions& options, Console* console);
+
+// The files that MakeCloud reads, with their sizes and times of change: a page with points of
+// others needs new ones.
+std::string CloudSource(const Project& project, const std::string& workspace_path,
+                        const PageOptions& options);
 
 // The photographs of the drawing's views at a size that keeps the page within limits. Those of
 // another page are used again where they are of the same camera.

@@ -23,10 +23,14 @@ struct PageOptions {
 };
 
 // ViewerScene::settings_json: what the next page of the folder shall have of the options.
-std::string SettingsOf(const PageOptions& options);
+// `cloud_source`: where its points are from.
+std::string SettingsOf(const PageOptions& options, const std::string& cloud_source);
 
 // The options to make a page anew; what it does not say is as by default. Throws InputError,
 // IoError and OptionError.
 PageOptions OptionsOf(const StoredPage& page);
+
+// Of its settings; empty if they do not tell. Throws InputError and IoError.
+std::string CloudSourceOf(const StoredPage& page);
 
 }  // namespace limn::colmap_ext

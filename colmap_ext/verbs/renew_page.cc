@@ -18,7 +18,7 @@ bool HasPage(const Project& project) {
   return fs::exists(project.DrawingPath(kViewerPage).string(), ignored);
 }
 
-void Renew(const Project& project, Console* console) {
+void Renew(const Project& project, const std::string& workspace_path, Console* console) {
   if (!HasViewerPage()) throw InputError("this limn was built without the viewer");
   StoredPage page = ReadViewerPage(project.DrawingPath(kViewerPage).string());
   const PageOptions options = OptionsOf(page);
@@ -30,8 +30,12 @@ void Renew(const Project& project, Console* console) {
   if (is_new) return;
   auto thumbnails =
       MakeThumbnails(project, drawing.views, options.thumbnail_size, page.photos, console);
+  PageCloud cloud = {std::move(page.cloud), CloudSource(project, workspace_path, options)};
+  if (cloud.source != CloudSourceOf(page)) {
+    cloud = MakeCloud(project, workspace_path, options, console);
+  }
   WritePage(project, drawing, path, options,
-            {std::move(page.cloud), std::move(thumbnails), std::move(page.report_json)}, console);
+            {std::move(cloud), std::move(thumbnails), std::move(page.report_json)}, console);
 }
 
 void SayOldPage(const Project& project, std::string reason, Console* console) {
@@ -43,10 +47,10 @@ void SayOldPage(const Project& project, std::string reason, Console* console) {
 
 }  // namespace
 
-void RenewPage(const Project& project, Console* console) {
+void RenewPage(const Project& project, const std::string& workspace_path, Console* console) {
   if (!HasPage(project)) return;
   try {
-    Renew(project, console);
+    Renew(project, workspace_path, console);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {

@@ -9,9 +9,9 @@ namespace limn::colmap_ext {
 
 // To be called when a drawing of the output folder has been written. A page there is made anew: it
 // shows the newest drawing, with the report, points and photographs of the old page, and new
-// photographs only where the old ones do not fit. Whatever prevents that is a warning. Other files
+// ones only where the old ones do not fit. Whatever prevents that is a warning. Other files
 // of this name stay as they are.
-void RenewPage(const Project& project, Console* console);
+void RenewPage(const Project& project, const std::string& workspace_path, Console* console);
 
 // Warns if there is a page, which the command leaves older than the drawing for this reason.
 void WarnOfOldPage(const Project& project, const std::string& reason, Console* console);

@@ -259,13 +259,14 @@ SvgScene SceneOnSheet(const SvgSource& source, const SheetInput& input, Console*
   sheet.unit = input.unit;
   sheet.front = input.front;
   DepthRange range;
+  std::string view = source.view;
   if (source.Face()) {
     const DrawingFace& face = FaceOf(source, input.faces);
     sheet.axes = AxesAlong(face, input.up);
     range = RangeAt(face, source.plan);
   } else {
     const bool is_plan = source.plan.SectionHeight().has_value();
-    const std::string view = source.view.empty() ? (is_plan ? "top" : "axonometric") : source.view;
+    if (view.empty()) view = is_plan ? "top" : "axonometric";
     sheet.projection = ProjectionOf(view)->projection;
   }
   scene.graph = input.graph;
@@ -280,7 +281,7 @@ SvgScene SceneOnSheet(const SvgSource& source, const SheetInput& input, Console*
     throw InputError("nothing of the drawing is on the sheet");
   }
   const SvgSheet made = MakeSheet(scene.graph, sheet);
-  WarnOfBacks(input.faces, made.axes.row(2).transpose(), source.view, console);
+  WarnOfBacks(input.faces, made.axes.row(2).transpose(), view, console);
   scene.picture.is_hidden = HiddenOn(made, range, source, input, console);
   return scene;
 }

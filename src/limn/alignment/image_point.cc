@@ -1,6 +1,7 @@
 #include "limn/alignment/image_point.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "limn/util/errors.h"
@@ -34,35 +35,63 @@ std::optional<SeenPoint> See(const View& view, const Eigen::Vector3d& point) {
 
 double Mix(double a, double b, double share) { return a + share * (b - a); }
 
-// The nearest place on a segment of a link. In space it is not where it is in the image: what is
+// Unknown where one of them is.
+double MixSigmas(double a, double b, double share) {
+  return std::isfinite(a) && std::isfinite(b) ? Mix(a, b, share) : std::max(a, b);
+}
+
+Eigen::Vector3d PointOn(const DrawingLink& link, size_t i, double share) {
+  return link.points_in_world[i] + share * (link.points_in_world[i + 1] - link.points_in_world[i]);
+}
+
+// Of a segment, by shares of its length.
+struct Piece {
+  double begin = 0, end = 1;
+};
+
+// Segments that are long in the image, or that it shows in part, are taken in pieces.
+int NumPieces(const DrawingLink& link, size_t i, const View& view) {
+  constexpr double kLongPx = 20;
+  constexpr int kMostPieces = 64;
+  const auto a = See(view, link.points_in_world[i]), b = See(view, link.points_in_world[i + 1]);
+  if (!a || !b) return kMostPieces;
+  return std::clamp(static_cast<int>((b->pixel - a->pixel).norm() / kLongPx), 1, kMostPieces);
+}
+
+// The nearest place on a piece of a segment. In space it is not where it is in the image: what is
 // nearer to the camera is longer there.
-Candidate NearestOnSegment(const DrawingLink& link, size_t i, const SeenPoint& a,
-                           const SeenPoint& b, const Eigen::Vector2d& pixel) {
+Candidate NearestOnPiece(const DrawingLink& link, size_t i, const Piece& piece, const SeenPoint& a,
+                         const SeenPoint& b, const Eigen::Vector2d& pixel) {
   const Eigen::Vector2d along = b.pixel - a.pixel;
   const double square = along.squaredNorm();
   const double in_image =
       square > 0 ? std::clamp((pixel - a.pixel).dot(along) / square, 0.0, 1.0) : 0.0;
-  const double in_space = in_image * a.depth / (b.depth + in_image * (a.depth - b.depth));
+  const double on_piece = in_image * a.depth / (b.depth + in_image * (a.depth - b.depth));
+  const double in_space = Mix(piece.begin, piece.end, on_piece);
   Candidate found;
-  found.place.position =
-      link.points_in_world[i] + in_space * (link.points_in_world[i + 1] - link.points_in_world[i]);
+  found.place.position = PointOn(link, i, in_space);
   found.place.distance_px = (a.pixel + in_image * along - pixel).norm();
-  found.depth = Mix(a.depth, b.depth, in_space);
-  if (!link.sigma.empty()) found.place.sigma = Mix(link.sigma[i], link.sigma[i + 1], in_space);
+  found.depth = Mix(a.depth, b.depth, on_piece);
+  if (!link.sigma.empty())
+    found.place.sigma = MixSigmas(link.sigma[i], link.sigma[i + 1], in_space);
   return found;
 }
 
 std::optional<Candidate> NearestOnLink(const DrawingLink& link, const View& view,
                                        const Eigen::Vector2d& pixel) {
   std::optional<Candidate> best;
-  std::optional<SeenPoint> before;
-  for (size_t i = 0; i < link.points_in_world.size(); ++i) {
-    const std::optional<SeenPoint> here = See(view, link.points_in_world[i]);
-    if (before && here) {
-      const Candidate found = NearestOnSegment(link, i - 1, *before, *here, pixel);
-      if (!best || found.place.distance_px < best->place.distance_px) best = found;
+  for (size_t i = 0; i + 1 < link.points_in_world.size(); ++i) {
+    const int num_pieces = NumPieces(link, i, view);
+    std::optional<SeenPoint> before = See(view, link.points_in_world[i]);
+    for (int k = 1; k <= num_pieces; ++k) {
+      const Piece piece = {(k - 1.0) / num_pieces, static_cast<double>(k) / num_pieces};
+      const auto here = See(view, PointOn(link, i, piece.end));
+      if (before && here) {
+        const Candidate found = NearestOnPiece(link, i, piece, *before, *here, pixel);
+        if (!best || found.place.distance_px < best->place.distance_px) best = found;
+      }
+      before = here;
     }
-    before = here;
   }
   return best;
 }

@@ -68,14 +68,25 @@ int TemporaryPath::RenameTo(const std::string& name) {
 
 int TemporaryPath::Replace(const std::string& name) {
   const std::lock_guard lock(Writes().mutex);
-  const std::string old = path_.Name() + std::string(kTemporarySuffix);
+  const int folder = folder_.descriptor();
+  // From now on the old one has the temporary name.
+  if (renameat2(folder, path_.Name().c_str(), folder, name.c_str(), RENAME_EXCHANGE) != 0) {
+    if (errno != EINVAL && errno != ENOSYS) return errno;
+    if (const int reason = ExchangeInSteps(name)) return reason;
+  }
+  ++Writes().num_renamed;
+  return 0;
+}
+
+// Where the file system cannot exchange names. A kill in between leaves the old one as <name>.old.
+int TemporaryPath::ExchangeInSteps(const std::string& name) const {
+  const std::string old = name + ".old";
   if (const int reason = Rename(name, old)) return reason;
   if (const int reason = Rename(path_.Name(), name)) {
     Rename(old, name);
     return reason;
   }
-  Rename(old, path_.Name());  // from now on it is the temporary one
-  ++Writes().num_renamed;
+  Rename(old, path_.Name());
   return 0;
 }
 

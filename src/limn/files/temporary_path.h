@@ -31,6 +31,7 @@ class TemporaryPath {
  private:
   friend void AbandonWrites();
   int Rename(const std::string& from, const std::string& to) const;
+  int ExchangeInSteps(const std::string& name) const;
 
   OutputPath path_;
   bool is_renamed_ = false;

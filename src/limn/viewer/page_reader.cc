@@ -128,11 +128,16 @@ PagePhoto PhotoOf(const JsonValue& view, const JsonValue& thumbnail, std::string
   return photo;
 }
 
+// No two have the same bytes.
 std::vector<PagePhoto> PhotosOf(const JsonValue& views, std::string_view pictures) {
   std::vector<PagePhoto> photos;
+  size_t num_bytes = 0;
   for (const JsonValue& view : views.Items()) {
     const JsonValue thumbnail = view.At("thumbnail");
-    if (!thumbnail.IsNull()) photos.push_back(PhotoOf(view, thumbnail, pictures));
+    if (thumbnail.IsNull()) continue;
+    photos.push_back(PhotoOf(view, thumbnail, pictures));
+    num_bytes += photos.back().thumbnail.jpeg.size();
+    if (num_bytes > pictures.size()) thumbnail.Fail("is in the bytes of others");
   }
   return photos;
 }

@@ -105,8 +105,8 @@ SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options) {
   options.Check();
   CheckOption(options.sheet_scale == 0 || options.unit != LengthUnit::kNone, "sheet_scale",
               options.sheet_scale,
-              "0 while the unit of the drawing is not known: --unit tells it, or drawing_aligner "
-              "--known_length finds it (--aligned 1)");
+              "0 while the unit of the drawing is not known: --unit tells it (without --scale), or "
+              "drawing_aligner --known_length finds it (--aligned 1)");
   SvgSheet sheet;
   sheet.axes = options.axes ? *options.axes : AxesOf(options);
   const Eigen::AlignedBox2d box = BoxOf(graph, options.more_places, sheet.axes);

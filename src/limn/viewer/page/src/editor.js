@@ -94,8 +94,9 @@ export class Editor {
     );
   }
 
+  // They stay where they were kept until they are in a file: they can be undone.
   takeUp(left) {
-    if (this.storage.takeUp(left.text) && this.kept.flush()) this.kept.forget(left);
+    if (this.storage.takeUp(left.text)) this.takenUp = left;
   }
 
   discard(left) {
@@ -136,6 +137,8 @@ export class Editor {
 
   markSaved() {
     this.history.markSaved();
+    if (this.takenUp) this.kept.forget(this.takenUp);
+    this.takenUp = null;
     this.keep();
     this.panel.showHistory(this.history);
   }
@@ -209,10 +212,11 @@ export class Editor {
   }
 
   remove() {
-    this.withLinks(this.liveSelected(), 'Select the links to delete first.', (links) =>
+    const live = this.liveSelected();
+    this.withLinks(live, 'Select the links to delete first.', (links) =>
       edits.deletion(this.drawing, links),
     );
-    this.selection.keep((link) => this.drawing.isLive(link));
+    if (live.length > 0) this.selection.keep((link) => this.drawing.isLive(link));
   }
 
   setKind(kind) {

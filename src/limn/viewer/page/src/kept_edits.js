@@ -31,14 +31,25 @@ export class KeptEdits {
     Object.assign(this, { title, fingerprint: stamp.fingerprint, on });
     this.key = PREFIX + JSON.stringify([title, stamp.fingerprint, Date.now(), Math.random()]);
     this.pending = null; // {count, text()} to be written
+    this.last = null; // that was written last
     this.timer = 0;
-    window.addEventListener('pagehide', () => this.flush());
+    window.addEventListener('pagehide', () => {
+      this.restore();
+      this.flush();
+    });
   }
 
   // What other openings of this page have left, or of an earlier page of this place: latest first,
   // those of the same drawing before all others.
   left() {
-    const store = storage();
+    try {
+      return this.found(storage());
+    } catch {
+      return []; // a damaged storage
+    }
+  }
+
+  found(store) {
     const keys = Array.from({ length: store?.length ?? 0 }, (_, i) => store.key(i));
     const isSame = (entry) => entry.fingerprint === this.fingerprint;
     return keys
@@ -50,18 +61,37 @@ export class KeptEdits {
   }
 
   forget({ key }) {
-    storage()?.removeItem(key);
+    try {
+      storage()?.removeItem(key);
+    } catch {
+      // a damaged storage: what it keeps is offered again, if it can be read
+    }
   }
 
   // Soon; `text()` gives the file.
   keep(count, text) {
     this.pending = { count, text };
+    this.last = this.pending;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.flush(), DELAY_MS);
   }
 
+  // If another page has discarded them meanwhile.
+  restore() {
+    if (!this.pending && this.last && !this.isKept()) this.pending = this.last;
+  }
+
+  isKept() {
+    try {
+      return storage()?.getItem(this.key) != null;
+    } catch {
+      return false;
+    }
+  }
+
   drop() {
     this.pending = null;
+    this.last = null;
     clearTimeout(this.timer);
     this.forget(this);
   }

@@ -66,7 +66,10 @@ export class Photos {
   free(key) {
     this.textures.get(key)?.dispose();
     this.textures.delete(key);
-    this.bitmaps.get(key)?.then((bitmap) => bitmap.close());
+    this.bitmaps.get(key)?.then(
+      (bitmap) => bitmap.close(),
+      () => {},
+    );
     this.bitmaps.delete(key);
   }
 
@@ -74,11 +77,13 @@ export class Photos {
     const known = this.textures.get(key);
     if (known !== undefined) return known;
     this.textures.set(key, null);
-    bitmapOf()?.then((bitmap) => {
-      if (!this.bitmaps.has(key)) return; // freed since
+    const decoded = bitmapOf();
+    const show = (bitmap) => {
+      if (this.bitmaps.get(key) !== decoded) return; // freed since
       this.textures.set(key, textureOf(bitmap));
       loaded();
-    });
+    };
+    decoded?.then(show, () => {}); // a damaged picture is none
     return null;
   }
 }
