@@ -15,7 +15,7 @@ enum class Depth { kOne, kAll };
 constexpr const char* kFolders[] = {"refined", "with-curves", "sparse-with-curves"};
 
 // Other folders of temporary names may be being written by commands that hold no lock.
-const std::string kTemporaryProject = std::string("aligned") + kTemporarySuffix;
+const std::string kTemporaryProject = "aligned" + std::string(kTemporarySuffix);
 
 void RemoveTemporaryFilesIn(const WritableFolder& folder, Depth depth) {
   for (const std::string& name : folder.Names()) {

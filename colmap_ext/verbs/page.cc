@@ -74,7 +74,8 @@ std::string StateOf(const fs::path& file) {
   const auto size = fs::file_size(file, error);
   if (error) return "";
   const auto time = fs::last_write_time(file, error).time_since_epoch().count();
-  return file.string() + " " + std::to_string(size) + " " + std::to_string(time) + ";";
+  const std::string path = fs::absolute(file).lexically_normal().string();
+  return path + " " + std::to_string(size) + " " + std::to_string(time) + ";";
 }
 
 // What a photograph may take in a page of 1024 px, and all of them together; text in base64.
