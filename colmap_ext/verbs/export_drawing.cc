@@ -50,14 +50,18 @@ FileFrame FrameOf(const ExporterOptions& options, const DrawingMetadata& metadat
   if (IsInModel(options)) return {{}, 1, unit};
   double scale = options.scale;
   if (IsMetric(metadata)) {
-    if (unit != LengthUnit::kNone && scale != 1) {
+    const double per_meter = Millimeters(LengthUnit::kMeter) / Millimeters(unit);
+    const bool agrees = std::abs(scale / per_meter - 1) < 1e-9;
+    if (unit != LengthUnit::kNone && scale != 1 && !agrees) {
       throw OptionError("scale = " + ShortNumber(scale) + " and unit = " + UnitName(unit) +
                         ": the scale of the drawing is known, and the unit converts to it: leave "
                         "one of them out");
     }
     const bool is_in_meters = options.IsAligned() || FormatName(options) == "glb";
     if (unit == LengthUnit::kNone && is_in_meters && scale == 1) unit = LengthUnit::kMeter;
-    if (unit != LengthUnit::kNone) scale = Millimeters(LengthUnit::kMeter) / Millimeters(unit);
+    if (unit != LengthUnit::kNone) {
+      scale = Millimeters(LengthUnit::kMeter) / Millimeters(unit);
+    }
   }
   Similarity3d file_from_world = {scale, ZUpFrom(options.up_axis), Eigen::Vector3d::Zero()};
   if (options.IsAligned()) {
@@ -211,6 +215,12 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
     graph = is_svg ? std::move(scene.graph) : PutPlan(std::move(scene), &format.dxf);
   }
   ThrowIfCancelled(console->context());
+  if (FormatName(options) == "step" && frame.unit == LengthUnit::kNone) {
+    console->Say(
+        "WARNING: the unit of the coordinates is not told (--unit, --aligned 1): in the file one "
+        "is "
+        "a millimeter");
+  }
   for (const std::string& note : WriteDrawing(options.output_path, graph, metadata, format)) {
     console->Say("WARNING: " + note);
   }

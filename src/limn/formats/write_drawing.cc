@@ -51,11 +51,6 @@ std::string NoteOn(const std::vector<int>& ids, size_t count, const std::string&
 }
 
 void WriteStep(const Job& job, std::ostream& out) {
-  if (job.options.unit == LengthUnit::kNone) {
-    job.left_out->push_back(
-        "the unit of the coordinates is not told (--unit, --aligned 1): in the file one is a "
-        "millimeter");
-  }
   const size_t num_faces = job.graph.faces.size();
   const StepNotes notes = WriteDrawingStep(job.graph, job.options.step, job.options.unit, out);
   if (!notes.apart.empty()) {

@@ -136,7 +136,7 @@ TEST_F(Layout, RefinedCamerasAreThoseOfTheDrawing) {
   model.images[0].cam_from_world.translation.x() += 1;
   const std::string name = WriteRefinedFolder(model, dir_ / "out/refined");
   const auto write = [&](const std::string& path, const std::string& cameras) {
-    WriteDrawing((dir_ / path).string(), {}, {{}, "{}", std::nullopt, cameras});
+    WriteDrawing((dir_ / path).string(), {}, {{}, "{}", std::nullopt, std::nullopt, cameras});
   };
   write("out/drawing.json", name);
   // From images.

@@ -10,6 +10,7 @@
 #include "colmap_ext/temp_dir.h"
 #include "limn/formats/picture_scene.h"
 #include "limn/formats/svg/path.h"
+#include "limn/model/drawing_transform.h"
 #include "limn/util/errors.h"
 #include "limn/visibility/render_depth.h"
 #include "support/synthetic_scene.h"
