@@ -94,9 +94,8 @@ export class Editor {
     );
   }
 
-  // They stay where they were kept until they are in a file: they can be undone.
   takeUp(left) {
-    if (this.storage.takeUp(left.text)) this.takenUp = left;
+    if (this.storage.takeUp(left.text) && this.kept.flush()) this.kept.forget(left);
   }
 
   discard(left) {
@@ -137,8 +136,6 @@ export class Editor {
 
   markSaved() {
     this.history.markSaved();
-    if (this.takenUp) this.kept.forget(this.takenUp);
-    this.takenUp = null;
     this.keep();
     this.panel.showHistory(this.history);
   }

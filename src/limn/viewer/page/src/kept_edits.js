@@ -31,12 +31,8 @@ export class KeptEdits {
     Object.assign(this, { title, fingerprint: stamp.fingerprint, on });
     this.key = PREFIX + JSON.stringify([title, stamp.fingerprint, Date.now(), Math.random()]);
     this.pending = null; // {count, text()} to be written
-    this.last = null; // that was written last
     this.timer = 0;
-    window.addEventListener('pagehide', () => {
-      this.restore();
-      this.flush();
-    });
+    window.addEventListener('pagehide', () => this.flush());
   }
 
   // What other openings of this page have left, or of an earlier page of this place: latest first,
@@ -71,27 +67,12 @@ export class KeptEdits {
   // Soon; `text()` gives the file.
   keep(count, text) {
     this.pending = { count, text };
-    this.last = this.pending;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.flush(), DELAY_MS);
   }
 
-  // If another page has discarded them meanwhile.
-  restore() {
-    if (!this.pending && this.last && !this.isKept()) this.pending = this.last;
-  }
-
-  isKept() {
-    try {
-      return storage()?.getItem(this.key) != null;
-    } catch {
-      return false;
-    }
-  }
-
   drop() {
     this.pending = null;
-    this.last = null;
     clearTimeout(this.timer);
     this.forget(this);
   }
