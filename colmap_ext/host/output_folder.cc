@@ -19,8 +19,11 @@ const std::string kTemporaryProject = "aligned" + std::string(kTemporarySuffix);
 
 void RemoveTemporaryFilesIn(const WritableFolder& folder, Depth depth) {
   for (const std::string& name : folder.Names()) {
-    if (name == kTemporaryProject) folder.RemoveAll(name);
-    if (name.ends_with(kTemporarySuffix)) folder.Remove(name);
+    if (name == kTemporaryProject) {
+      folder.RemoveAll(name);
+    } else if (name.ends_with(kTemporarySuffix)) {
+      folder.Remove(name);
+    }
     const auto inner = depth == Depth::kAll ? folder.Enter(name) : std::nullopt;
     if (inner) RemoveTemporaryFilesIn(*inner, depth);
   }

@@ -113,13 +113,8 @@ std::string GroupOf(const std::string& name) {
   return dot == std::string::npos ? "" : name.substr(0, dot);
 }
 
-// Thrown until it is known which options there are.
-struct UnknownOption {
-  explicit UnknownOption(std::string unknown) : name(std::move(unknown)) {}
-  std::string name;
-};
-
-// "--name value" and "--name=value", names in full, and "-h".
+// "--name value" and "--name=value", names in full, and "-h". Unknown options are left to the
+// caller, who knows what may be meant (po::unknown_option).
 std::vector<po::option> SplitCommandLine(int argc, const char* const* argv,
                                          const po::options_description& known) {
   namespace style = po::command_line_style;
@@ -127,11 +122,8 @@ std::vector<po::option> SplitCommandLine(int argc, const char* const* argv,
                       style::allow_short | style::allow_dash_for_short | style::short_allow_next;
   try {
     return po::command_line_parser(argc, argv).options(known).style(allowed).run().options;
-  } catch (const po::unknown_option& error) {
-    // As it was typed: "--name=value".
-    std::string name = error.get_option_name();
-    name.erase(0, name.find_first_not_of('-'));
-    throw UnknownOption(name.substr(0, name.find('=')));
+  } catch (const po::unknown_option&) {
+    throw;
   } catch (const po::error& error) {
     throw OptionError(error.what());
   }
@@ -337,8 +329,12 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
   std::vector<po::option> given;
   try {
     given = SplitCommandLine(argc, argv, known);
-  } catch (const UnknownOption& unknown) {
-    FailUnknown("--" + unknown.name, unknown.name);
+  } catch (const po::unknown_option& error) {
+    // As it was typed: "--name=value".
+    std::string name = error.get_option_name();
+    name.erase(0, name.find_first_not_of('-'));
+    name.erase(std::min(name.find('='), name.size()));
+    FailUnknown("--" + name, name);
   }
 
   std::set<std::string> seen;

@@ -450,6 +450,7 @@ DrawingInScene AlignVerb::Apply(const Job& job, const DrawingInScene& given) {
   const SceneAligner aligner(job.scene, is_project ? job.options.layout : LayoutOptions(), align_,
                              job.console);
   DrawingInScene made = given;
+  made.fingerprint.clear();
   made.metadata.alignment = aligner.Align(given.views, given.graph, job.console);
   return made;
 }

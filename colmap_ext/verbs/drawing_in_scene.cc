@@ -9,16 +9,22 @@
 
 namespace limn::colmap_ext {
 
+std::vector<std::string> ViewNames(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const View& view : scene.views()) names.push_back(view.name);
+  return names;
+}
+
 DrawingMetadata Metadata(const Scene& scene, const std::string& provenance) {
   DrawingMetadata metadata;
-  for (const View& view : scene.views()) metadata.view_names.push_back(view.name);
+  metadata.view_names = ViewNames(scene);
   metadata.options_json = provenance;
   if (!scene.views().empty()) metadata.main_view_direction = MainViewDirection(scene.views());
   return metadata;
 }
 
 DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path) {
-  const std::vector<std::string> view_names = Metadata(scene, "{}").view_names;
+  const std::vector<std::string> view_names = ViewNames(scene);
   DrawingFile drawing = ReadDrawing(path, view_names);
   if (drawing.metadata.view_names == view_names) return drawing;
   throw IoError(path, "is a drawing of other images than those of the model");

@@ -27,6 +27,9 @@ struct DrawingInScene {
   std::string fingerprint = {};
 };
 
+// The names of the scene's views.
+std::vector<std::string> ViewNames(const Scene& scene);
+
 // Of the scene's views, and the provenance of a result made from them.
 DrawingMetadata Metadata(const Scene& scene, const std::string& provenance);
 

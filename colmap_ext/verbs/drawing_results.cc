@@ -151,7 +151,7 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
   } catch (const IoError&) {
     refuse("exists, and is not a drawing of this version of limn");
   }
-  if (!options.update && metadata.view_names != Metadata(project, "{}").view_names) {
+  if (!options.update && metadata.view_names != ViewNames(project)) {
     refuse("is a drawing of other images");
   }
   const Json old_options =

@@ -43,34 +43,38 @@ struct FileFrame {
   LengthUnit unit = LengthUnit::kNone;
 };
 
+double UnitsPerMeter(LengthUnit unit) {
+  return Millimeters(LengthUnit::kMeter) / Millimeters(unit);
+}
+
+// Of a drawing whose scale is known. kNone: the unit is that of the model, or the scale is another.
+LengthUnit KnownUnit(const ExporterOptions& options) {
+  const LengthUnit unit = options.format.unit;
+  if (unit == LengthUnit::kNone) {
+    const bool is_in_meters = options.IsAligned() || FormatName(options) == "glb";
+    return is_in_meters && options.scale == 1 ? LengthUnit::kMeter : LengthUnit::kNone;
+  }
+  const bool agrees = std::abs(options.scale / UnitsPerMeter(unit) - 1) < 1e-9;
+  if (options.scale == 1 || agrees) return unit;
+  throw OptionError("scale = " + ShortNumber(options.scale) + " and unit = " + UnitName(unit) +
+                    ": the scale of the drawing is known, and the unit converts to it: leave "
+                    "one of them out");
+}
+
 // Where the scale is known a unit converts, and an aligned drawing is in meters; else the unit is
 // what the options say of it.
 FileFrame FrameOf(const ExporterOptions& options, const DrawingMetadata& metadata) {
-  LengthUnit unit = options.format.unit;
-  if (IsInModel(options)) return {{}, 1, unit};
-  double scale = options.scale;
-  if (IsMetric(metadata)) {
-    const double per_meter = Millimeters(LengthUnit::kMeter) / Millimeters(unit);
-    const bool agrees = std::abs(scale / per_meter - 1) < 1e-9;
-    if (unit != LengthUnit::kNone && scale != 1 && !agrees) {
-      throw OptionError("scale = " + ShortNumber(scale) + " and unit = " + UnitName(unit) +
-                        ": the scale of the drawing is known, and the unit converts to it: leave "
-                        "one of them out");
-    }
-    const bool is_in_meters = options.IsAligned() || FormatName(options) == "glb";
-    if (unit == LengthUnit::kNone && is_in_meters && scale == 1) unit = LengthUnit::kMeter;
-    if (unit != LengthUnit::kNone) {
-      scale = Millimeters(LengthUnit::kMeter) / Millimeters(unit);
-    }
-  }
+  if (IsInModel(options)) return {{}, 1, options.format.unit};
+  const bool is_metric = IsMetric(metadata);
+  const LengthUnit unit = is_metric ? KnownUnit(options) : options.format.unit;
+  const bool converts = is_metric && unit != LengthUnit::kNone;
+  const double scale = converts ? UnitsPerMeter(unit) : options.scale;
   Similarity3d file_from_world = {scale, ZUpFrom(options.up_axis), Eigen::Vector3d::Zero()};
   if (options.IsAligned()) {
     const Alignment& alignment = RequireAlignment(options.input_path, metadata);
     return {file_from_world * alignment.world_from_model, scale, unit};
   }
-  if (IsMetric(metadata) && unit != LengthUnit::kNone) {
-    file_from_world.scale *= metadata.alignment->world_from_model.scale;
-  }
+  if (converts) file_from_world.scale *= metadata.alignment->world_from_model.scale;
   return {file_from_world, scale, unit};
 }
 
@@ -134,7 +138,7 @@ DimensionText TextInImage(const DrawingMetadata& metadata, LengthUnit unit) {
   if (!IsMetric(metadata)) return {1, unit};
   if (unit == LengthUnit::kNone) unit = LengthUnit::kMeter;
   const double meters = metadata.alignment->world_from_model.scale;
-  return {meters * Millimeters(LengthUnit::kMeter) / Millimeters(unit), unit};
+  return {meters * UnitsPerMeter(unit), unit};
 }
 
 // The axis of the file along which most cameras look, as far as they look along one.
@@ -217,9 +221,8 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
   ThrowIfCancelled(console->context());
   if (FormatName(options) == "step" && frame.unit == LengthUnit::kNone) {
     console->Say(
-        "WARNING: the unit of the coordinates is not told (--unit, --aligned 1): in the file one "
-        "is "
-        "a millimeter");
+        "WARNING: the unit of the coordinates is not known (--unit, --aligned 1): one is a "
+        "millimeter in the file");
   }
   for (const std::string& note : WriteDrawing(options.output_path, graph, metadata, format)) {
     console->Say("WARNING: " + note);
@@ -261,9 +264,8 @@ void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
        {"m", LengthUnit::kMeter},
        {"in", LengthUnit::kInch},
        {"ft", LengthUnit::kFoot}},
-      BasicOption("of the file: converts if the scale of the drawing is known (none = m if it "
-                  "is aligned), else says what one unit is after scaling; glb is in "
-                  "m"));
+      BasicOption("unit of the file: converts if the scale of the drawing is known (none = m if "
+                  "it is aligned), else says what one unit is after --scale; GLB is in m"));
 }
 
 }  // namespace

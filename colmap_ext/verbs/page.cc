@@ -163,11 +163,13 @@ fs::path PageFolder(const Project& project) {
   return fs::absolute(project.DrawingPath("").string()).lexically_normal();
 }
 
-DrawingStamp StampOf(const std::string& drawing_path, const fs::path& folder) {
+DrawingStamp StampOf(const DrawingInScene& drawing, const std::string& drawing_path,
+                     const fs::path& folder) {
   const fs::path path = fs::absolute(drawing_path);
   std::error_code ignored;
   const bool is_beside = fs::equivalent(path.parent_path(), folder, ignored);
-  return {is_beside ? path.filename().string() : "", FingerprintOf(drawing_path)};
+  return {is_beside ? path.filename().string() : "",
+          drawing.fingerprint.empty() ? FingerprintOf(drawing_path) : drawing.fingerprint};
 }
 
 }  // namespace
@@ -255,7 +257,7 @@ void WritePage(const Project& project, const DrawingInScene& drawing,
                Console* console) {
   const auto shown = ShownAlignment(options.shown, drawing_path, drawing.metadata);
   ViewerScene scene = MakeViewerScene(project, drawing, options, std::move(parts), shown);
-  scene.drawing = StampOf(drawing_path, PageFolder(project));
+  scene.drawing = StampOf(drawing, drawing_path, PageFolder(project));
   const OutputPath path = project.DrawingPath(kViewerPage);
   WriteFileAtomically(path, [&](std::ostream& out) { WriteViewerPage(scene, out); });
   console->Say("wrote " + path.string() + ": " + std::to_string(scene.graph.links.size()) +

@@ -50,10 +50,9 @@ struct Piece {
 };
 
 // Segments that are long in the image, or that it shows in part, are taken in pieces.
-int NumPieces(const DrawingLink& link, size_t i, const View& view) {
+int NumPieces(const std::optional<SeenPoint>& a, const std::optional<SeenPoint>& b) {
   constexpr double kLongPx = 20;
   constexpr int kMostPieces = 64;
-  const auto a = See(view, link.points_in_world[i]), b = See(view, link.points_in_world[i + 1]);
   if (!a || !b) return kMostPieces;
   return std::clamp(static_cast<int>((b->pixel - a->pixel).norm() / kLongPx), 1, kMostPieces);
 }
@@ -80,12 +79,13 @@ Candidate NearestOnPiece(const DrawingLink& link, size_t i, const Piece& piece, 
 std::optional<Candidate> NearestOnLink(const DrawingLink& link, const View& view,
                                        const Eigen::Vector2d& pixel) {
   std::optional<Candidate> best;
+  std::optional<SeenPoint> before = See(view, link.points_in_world.front());
   for (size_t i = 0; i + 1 < link.points_in_world.size(); ++i) {
-    const int num_pieces = NumPieces(link, i, view);
-    std::optional<SeenPoint> before = See(view, link.points_in_world[i]);
+    const std::optional<SeenPoint> end = See(view, link.points_in_world[i + 1]);
+    const int num_pieces = NumPieces(before, end);
     for (int k = 1; k <= num_pieces; ++k) {
       const Piece piece = {(k - 1.0) / num_pieces, static_cast<double>(k) / num_pieces};
-      const auto here = See(view, PointOn(link, i, piece.end));
+      const auto here = k < num_pieces ? See(view, PointOn(link, i, piece.end)) : end;
       if (before && here) {
         const Candidate found = NearestOnPiece(link, i, piece, *before, *here, pixel);
         if (!best || found.place.distance_px < best->place.distance_px) best = found;

@@ -246,7 +246,7 @@ class SceneBuilder {
     tinygltf::Accessor accessor;
     accessor.bufferView = kLinkIds;
     accessor.byteOffset = kLinkBytes * link_ids_.size();
-    accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;  // glTF has no attributes of integers
+    accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;  // no attribute may be a uint32
     accessor.type = TINYGLTF_TYPE_SCALAR;
     accessor.count = links.size();
     link_ids_.insert(link_ids_.end(), links.begin(), links.end());

@@ -16,6 +16,8 @@ namespace limn {
 //               "axes_from": "lines"|"positions"|"model",
 //               "scale_from": "lengths"|"positions"|"none"}: world = scale * rotation * position +
 //               translation, z up; all positions below are the model's,
+//    where cameras are known "main_view_direction": [x, y, z], a unit vector in the model along
+//               which most of them look,
 //    where there are any, "dimensions": [{"from", "to", "shift"}], each
 //               [x, y, z] (model/dimension.h),
 //    "nodes": [{"id", "position": [x, y, z], "kind": "end"|"junction"|"loop_anchor", "degree",

@@ -15,9 +15,9 @@ struct ObjOptions {
 };
 
 // Writes a drawing as Wavefront OBJ: a comment "# unit: m" if the unit of its coordinates is known,
-// the nodes' vertices first, then per link an object "link_<id>"
-// in the group of its kind of edge, where kinds are known, with its inner vertices and one polyline
-// element (or one per segment); then per face an object "face_<id>" in the group of its surface
+// the nodes' vertices first, then per link an object "link_<id>" in the group of its kind of edge,
+// where kinds are known, with its inner vertices and one polyline element (or one per segment);
+// then per face an object "face_<id>" in the group of its surface
 // ("plane", "ruled", "patch"), with its vertices, their normals and its triangles.
 void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, LengthUnit unit,
                      std::ostream& out);

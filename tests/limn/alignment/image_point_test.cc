@@ -1,5 +1,7 @@
 #include "limn/alignment/image_point.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,6 +63,21 @@ TEST_F(ImagePointTest, PlacesAreThoseInSpace) {
     EXPECT_LT((place.position - on_first).norm(), 1e-9);
     EXPECT_NEAR(place.distance_px, 3, 1e-9);
   }
+}
+
+// The image shows the end behind the camera, or beside it, of no link.
+TEST_F(ImagePointTest, LinksThatAreSeenInPartAreFound) {
+  testing::AddLine({0, 0.5, 6}, {0, 0.5, -3}, &graph_);
+  testing::AddLine({0, -0.5, 4}, {40, -0.5, 4}, &graph_);
+  RebuildIncidence(&graph_);
+  for (const Eigen::Vector3d& on_link : {Eigen::Vector3d(0, 0.5, 5), Eigen::Vector3d(2, -0.5, 4)}) {
+    EXPECT_LT((Snap(At(on_link)).position - on_link).norm(), 1e-9);
+  }
+}
+
+TEST_F(ImagePointTest, AnUnknownSigmaStaysUnknown) {
+  graph_.links[1].sigma = {0.0005, std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(Snap(At({-1, 0.01, 2})).sigma, std::numeric_limits<double>::infinity());
 }
 
 TEST_F(ImagePointTest, PixelsWithoutALinkAreAnError) {

@@ -155,6 +155,8 @@ TEST_F(StoredPages, WhatIsNotInTheFileIsRefused) {
   EXPECT_THAT(complaint("/arrays/thumbnails/type", "f32"), HasSubstr("type"));
   EXPECT_THAT(complaint("/views/0/thumbnail/length", 1 << 30), HasSubstr("not in the file"));
   EXPECT_THAT(complaint("/views/0/thumbnail/offset", -1), HasSubstr("not in the file"));
+  // All pictures, of which another view has one.
+  EXPECT_THAT(complaint("/views/0/thumbnail/length", 18), HasSubstr("in the bytes of others"));
   EXPECT_THAT(complaint("/shownFromModel/scale", 0), HasSubstr("scale"));
   EXPECT_THAT(complaint("/shownFromModel/rotation", Json::array({1})), HasSubstr("rotation"));
   EXPECT_THAT(complaint("/report", 7), HasSubstr("report"));
