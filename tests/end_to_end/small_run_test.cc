@@ -551,7 +551,7 @@ TEST_F(SmallRun, AccountTellsWhatBecameOfEveryEdgel) {
 TEST_F(SmallRun, ThePaperAlone) {
   const std::string said = Run("automatic_drawer", "out",
                                {"--project_path", LIMN_SOURCE_DIR "/scripts/paper.ini",
-                                "--Sketch.min_supporting_views", "3"});
+                                "--Sketch.min_supporting_views", "3", "--log_level", "2"});
   EXPECT_THAT(said, HasSubstr("enhanced sketch"));
   EXPECT_THAT(said, HasSubstr("averaging rounds"));
   for (const char* ours : {"re-triangulation", "ends continued",

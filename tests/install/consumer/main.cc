@@ -7,6 +7,7 @@
 #include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/workspace/layout.h"
 #include "colmap_ext/workspace/to_views.h"
+#include "limn/alignment/camera_hints.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/pipeline/pipeline.h"
@@ -30,6 +31,7 @@ void Draw(const char* workspace, const char* image_list, const char* output) {
       DrawScene(input, PresetOf(Quality::kLow).options, {}, [](const StageSummary&) {});
   DrawingMetadata metadata;
   for (const View& view : set.views) metadata.view_names.push_back(view.name);
+  metadata.main_view_direction = MainViewDirection(set.views);
   WriteDrawing(output, result.graph, metadata);
 }
 
