@@ -424,6 +424,9 @@ void BindAlignment(py::module_* module) {
       .def_property_readonly(
           "translation", [](const Alignment& a) { return CopyOf(a.world_from_model.translation); },
           "3 translation, in the unit of the world.")
+      .def_property_readonly(
+          "scale_sigma", [](const Alignment& a) { return a.scale_sigma; },
+          "Standard deviation of the scale, relative; 0 if unknown.")
       .def_property_readonly("unit", &Alignment::Unit, "'m', or 'none' if the scale is unknown.")
       .def_property_readonly(
           "up_from", [](const Alignment& a) { return SourceName(a.up); },
@@ -448,6 +451,9 @@ void BindNode(py::module_* module) {
       .def_property_readonly(
           "position", [](const Node& node) { return CopyOf(node.Get().position_in_world); },
           "3 position in the model's coordinates.")
+      .def_property_readonly(
+          "covariance", [](const Node& node) { return CopyOf(node.Get().covariance); },
+          "3 x 3 covariance of the position, in the model's unit; zero if unknown.")
       .def_property_readonly(
           "kind", [](const Node& node) { return std::string(NodeKindName(node.Get().kind)); },
           "'end', 'junction' (3 or more links) or 'loop_anchor'.")

@@ -101,6 +101,15 @@ void BindStages(py::module_* module) {
       },
       py::arg("drawing"), py::arg("options"), py::arg("progress"));
   module->def(
+      "measure",
+      [](const std::shared_ptr<SceneDrawing>& drawing, const std::string& text) {
+        return RunFree(py::none(), [drawing, text](RunMonitor*) {
+          const SceneLength length = MeasureLength(*drawing, text);
+          return std::make_tuple(length.measured.length, length.measured.sigma, length.unit);
+        });
+      },
+      py::arg("drawing").none(false), py::arg("text"));
+  module->def(
       "run",
       [](const std::string& command, const OptionTexts& options, const py::object& progress) {
         RunWithoutLock(progress, [command, options](RunMonitor* monitor) {

@@ -15,6 +15,7 @@
 #include "colmap_ext/verbs/evaluate.h"
 #include "colmap_ext/verbs/export_drawing.h"
 #include "colmap_ext/verbs/extract_edges.h"
+#include "colmap_ext/verbs/image_places.h"
 #include "colmap_ext/verbs/sketch.h"
 #include "colmap_ext/verbs/trust.h"
 #include "colmap_ext/workspace/refined_folder.h"
@@ -22,6 +23,7 @@
 #include "limn/formats/json_drawing_writer.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/errors.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -351,6 +353,26 @@ void ExportDrawing(std::shared_ptr<const SceneDrawing> drawing, const OptionText
   } else {
     limn::colmap_ext::ExportDrawing(exporter, &console);
   }
+}
+
+SceneLength MeasureLength(const SceneDrawing& drawing, const std::string& text) {
+  auto span = ParseSpan(text);
+  if (!span) {
+    throw OptionError("measure: " + Printable(text) +
+                      ": must be like \"link 12\", \"from 3 to 7\" or \"a.jpg 120,340 to b.jpg "
+                      "500,220\"");
+  }
+  if (!span->pixels.empty()) {
+    if (!drawing.scene) {
+      throw InputError("measure: pixels need the scene: limn.read_drawing(path, workspace)");
+    }
+    const Scene& scene = drawing.scene->scene;
+    const std::vector<View> stored =
+        InStoredImages(scene.view_set(), Moved(drawing.views, scene.origin()));
+    span->places = PlacesOf(span->pixels, scene.view_set(), stored, drawing.graph);
+  }
+  const Alignment alignment = drawing.metadata.alignment.value_or(Alignment());
+  return {InWorld(MeasureSpan(drawing.graph, *span), alignment), alignment.Unit()};
 }
 
 void SaveDrawing(const SceneDrawing& drawing, const std::string& path) {

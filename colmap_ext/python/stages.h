@@ -9,6 +9,7 @@
 #include "colmap_ext/host/library_console.h"
 #include "colmap_ext/host/scene.h"
 #include "colmap_ext/python/option_texts.h"
+#include "limn/alignment/drawing_span.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/model/curve3d.h"
@@ -116,6 +117,15 @@ std::string EvaluateAsJson(std::shared_ptr<const SceneDrawing> drawing, const Op
 // is null.
 void ExportDrawing(std::shared_ptr<const SceneDrawing> drawing, const OptionTexts& options,
                    RunMonitor* monitor);
+
+struct SceneLength {
+  MeasuredLength measured;
+  std::string unit;  // "m", or "none" if the scale is unknown
+};
+
+// A length of a drawing (ParseSpan), in the world if it is aligned. Pixels need the scene. Throws
+// OptionError for other texts.
+SceneLength MeasureLength(const SceneDrawing& drawing, const std::string& text);
 
 // Writes a drawing in the format of the extension: all of it as .json, without tentative links and
 // contours in the others, as automatic_drawer does.

@@ -12,6 +12,7 @@
 
 #include "colmap_ext/verbs/aligned_project.h"
 #include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/image_places.h"
 #include "colmap_ext/verbs/position_doubts.h"
 #include "colmap_ext/workspace/pose_priors.h"
 #include "limn/alignment/geodetic.h"
@@ -155,6 +156,8 @@ std::string AxesText(const AlignmentResult& result) {
       return "east by the positions of cameras";
     case AxesSource::kModel:
       return "the axes of the model";
+    case AxesSource::kPlan:
+      return "lines of a plan";
   }
   return "";
 }
@@ -167,9 +170,8 @@ std::string ScaleText(const AlignmentResult& result) {
       return "unknown, the unit is the model's";
     case ScaleSource::kLengths:
       return unit + "known lengths" +
-             (result.lengths->lengths.size() < 2
-                  ? ""
-                  : ", standard error " + Percent(result.lengths->error));
+             (result.lengths->sigma > 0 ? ", standard error " + Percent(result.lengths->sigma)
+                                        : "");
     case ScaleSource::kPositions:
       return unit + "positions of cameras, standard error " +
              Percent(result.positions->scale_error);
@@ -221,46 +223,33 @@ void SayLengths(const std::vector<KnownLength>& lengths, const AlignmentResult& 
   }
 }
 
-// The place that a photograph shows, in whichever of its views (parts of panoramas) it is nearest.
-// Views are of images as stored. Throws InputError.
-DrawingPlace PlaceInImage(const ImagePoint& point, const ViewSet& set,
-                          const std::vector<View>& views, const DrawingGraph& graph) {
-  std::optional<DrawingPlace> nearest;
-  std::string problem = "no image in use is called " + Printable(point.image);
-  for (ViewId v = 0; v < static_cast<ViewId>(views.size()); ++v) {
-    if (set.ImageName(v) != point.image) continue;
-    try {
-      const DrawingPlace place = SnapToDrawing(point, views[v], v, graph);
-      if (!nearest || place.distance_px < nearest->distance_px) nearest = place;
-    } catch (const InputError& error) {
-      problem = error.what();
-    }
-  }
-  if (!nearest) throw InputError(problem);
-  return *nearest;
-}
+// Finds the places of the pixels of options, and says which they are.
+class PixelPlacer {
+ public:
+  PixelPlacer(const ViewSet& set, const std::vector<View>& views, const DrawingGraph& graph,
+              Console* console)
+      : set_(set), stored_(InStoredImages(set, views)), graph_(graph), console_(*console) {}
 
-// With the places of their pixels, which it says. Throws OptionError.
-std::vector<KnownLength> WithPlaces(std::vector<KnownLength> lengths, const ViewSet& set,
-                                    const std::vector<View>& views, const DrawingGraph& graph,
-                                    Console* console) {
-  const auto has_pixels = [](const KnownLength& length) { return !length.span.pixels.empty(); };
-  if (!std::ranges::any_of(lengths, has_pixels)) return lengths;
-  const std::vector<View> stored = InStoredImages(set, views);
-  for (KnownLength& length : lengths) {
-    for (const ImagePoint& point : length.span.pixels) {
-      try {
-        const DrawingPlace place = PlaceInImage(point, set, stored, graph);
-        console->Say("alignment: " + TextOf(point) + " is on link " + std::to_string(place.link) +
-                     ", " + ShortNumber(place.distance_px) + " px away");
-        length.span.places.push_back(place);
-      } catch (const InputError& error) {
-        throw OptionError("known_length = " + Printable(length.text) + ": " + error.what());
-      }
+  // `given` is the option, with its text. Throws OptionError.
+  void Place(const std::string& given, DrawingSpan* span) const {
+    try {
+      span->places = PlacesOf(span->pixels, set_, stored_, graph_);
+    } catch (const InputError& error) {
+      throw OptionError(given + ": " + error.what());
+    }
+    for (size_t i = 0; i < span->places.size(); ++i) {
+      const DrawingPlace& place = span->places[i];
+      console_.Say("alignment: " + TextOf(span->pixels[i]) + " is on link " +
+                   std::to_string(place.link) + ", " + ShortNumber(place.distance_px) + " px away");
     }
   }
-  return lengths;
-}
+
+ private:
+  const ViewSet& set_;
+  std::vector<View> stored_;
+  const DrawingGraph& graph_;
+  Console& console_;
+};
 
 // The drawings of an output folder to align: the newest, in which is measured, then drawing.json if
 // that is not the newest. An older drawing-fused.json is not aligned, and warned of. Throws IoError
@@ -330,6 +319,10 @@ void AlignOptions::AddOptions(bool of_drawing, OptionParser* parser) {
                       BasicOption("measured lengths, such as \"link 12 = 2.40 m\", \"from 3 to 7 = "
                                   "2.40 m\" (nodes) or \"a.jpg 120,340 to b.jpg 500,220 = 2.40 "
                                   "m\" (pixels); several separated by ;"));
+    parser->AddOption("plan_line", &plan_lines,
+                      BasicOption("directions in a floor plan, such as \"link 12 = 30 deg\" (from "
+                                  "x, counter-clockwise) or \"from 3 to 7 = north\"; several "
+                                  "separated by ;"));
     parser->AddOption("use_positions", &use_positions,
                       "take positions of cameras from the database");
     parser->AddOption(
@@ -348,6 +341,10 @@ void AlignOptions::AddOptions(bool of_drawing, OptionParser* parser) {
 
 void AlignOptions::Check() const {
   ParseKnownLengths(known_lengths);
+  ParsePlanLines(plan_lines);
+  if (world == WorldFrame::kPositions && !plan_lines.empty()) {
+    throw OptionError("plan_line: with --world positions x is east; leave one of them out");
+  }
   if (mode == Mode::kNone && !database_path.empty()) {
     throw OptionError("database_path = " + database_path + ": needs --align auto");
   }
@@ -364,6 +361,7 @@ SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
       world_(options.world) {
   if (!is_asked_) return;
   lengths_ = ParseKnownLengths(options.known_lengths);
+  plan_lines_ = ParsePlanLines(options.plan_lines);
   const bool is_found = options.database_path.empty();
   const fs::path database =
       is_found ? FindDatabase(scene, layout) : fs::path(options.database_path);
@@ -390,9 +388,16 @@ SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
 std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
                                              const DrawingGraph& graph, Console* console) const {
   if (!is_asked_) return std::nullopt;
-  const std::vector<KnownLength> lengths =
-      WithPlaces(lengths_, scene_.view_set(), views, graph, console);
-  const AlignmentResult result = AlignDrawing({views, graph, priors_, lengths, world_});
+  const PixelPlacer placer(scene_.view_set(), views, graph, console);
+  std::vector<KnownLength> lengths = lengths_;
+  for (KnownLength& length : lengths) {
+    placer.Place("known_length = " + Printable(length.text), &length.span);
+  }
+  std::vector<PlanLine> plan_lines = plan_lines_;
+  for (PlanLine& line : plan_lines) {
+    placer.Place("plan_line = " + Printable(line.text), &line.span);
+  }
+  const AlignmentResult result = AlignDrawing({views, graph, priors_, lengths, plan_lines, world_});
   CheckPositions(result, console);
   CheckWorld(result);
   SayGravity(result, priors_, console);

@@ -21,13 +21,15 @@ struct AlignOptions {
   std::string database_path;
   // See ParseKnownLengths.
   std::vector<std::string> known_lengths;
+  // See ParsePlanLines.
+  std::vector<std::string> plan_lines;
   bool use_positions = true;
   WorldFrame world = WorldFrame::kDrawing;
   // Positions that contradict the cameras: an error, or else a warning. No option.
   bool contradictions_fail = false;
 
-  // Known lengths name links, so only commands that start from a drawing have them; these commands
-  // align in any case, and choose the world.
+  // Known lengths and lines of a plan name links, so only commands that start from a drawing have
+  // them; these commands align in any case, and choose the world.
   void AddOptions(bool of_drawing, OptionParser* parser);
   // Throws OptionError.
   void Check() const;
@@ -60,6 +62,7 @@ class SceneAligner {
   WorldFrame world_ = WorldFrame::kDrawing;
   std::filesystem::path database_;  // of the priors
   std::vector<KnownLength> lengths_;
+  std::vector<PlanLine> plan_lines_;
   std::vector<ViewPrior> priors_;
 };
 

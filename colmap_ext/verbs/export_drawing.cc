@@ -14,6 +14,7 @@
 #include "limn/formats/svg/svg_drawing_writer.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -111,16 +112,52 @@ SvgScene SceneOf(const ExporterOptions& options, const SheetInput& input, Consol
              : SceneInImage(source, options.workspace, input.graph, input.faces, console);
 }
 
+// What the arrow up the sheet is called: north if x is east, else the axis.
+std::string UpName(const SheetOptions& sheet, const DrawingMetadata& metadata) {
+  if (sheet.axes) return "";
+  if (sheet.projection != SvgProjection::kTop) {
+    return sheet.projection == SvgProjection::kAxonometric ||
+                   sheet.projection == SvgProjection::kBottom
+               ? ""
+               : "z";
+  }
+  const int axis = std::abs(sheet.front.x()) > std::abs(sheet.front.y()) ? 0 : 1;
+  const bool is_north = metadata.alignment && metadata.alignment->axes == AxesSource::kPositions;
+  if (is_north && axis == 1 && sheet.front.y() > 0) return "N";
+  return std::string(sheet.front[axis] < 0 ? "-" : "") + (axis == 0 ? "x" : "y");
+}
+
+// Of a sheet: the project, if it has a name, and what of it is seen.
+std::string TitleOf(const ExporterOptions& options) {
+  namespace fs = std::filesystem;
+  const fs::path of_drawing = fs::path(options.input_path).parent_path();
+  const fs::path& workspace = options.workspace.workspace_path;
+  const fs::path folder = workspace.empty() ? of_drawing : workspace;
+  const fs::path absolute = folder.empty() ? folder : fs::absolute(folder).lexically_normal();
+  const bool ends_in_slash = absolute.has_relative_path() && !absolute.has_filename();
+  const std::string project =
+      Printable((ends_in_slash ? absolute.parent_path() : absolute).filename().string());
+  const auto height = options.svg.plan.SectionHeight();
+  const std::string view = height ? "section at " + ShortNumber(*height) : options.svg.view;
+  return project.empty() ? view : project + ", " + view;
+}
+
 // Makes the scene flat, for DXF.
-DrawingGraph PutPlan(SvgScene scene, DxfOptions* dxf) {
-  constexpr double kTextMm = 2.5;
+DrawingGraph PutPlan(SvgScene scene, const ExporterOptions& options,
+                     const DrawingMetadata& metadata, DxfOptions* dxf) {
   const SvgSheet sheet = MakeSheet(scene.graph, scene.picture.sheet);
-  const bool with_hidden = scene.picture.style.hidden_parts == SvgHiddenParts::kDashed;
-  FlatDrawing flat = Flatten(scene.graph, sheet, scene.picture.is_hidden, with_hidden);
+  const bool is_oblique =
+      !scene.picture.sheet.axes && scene.picture.sheet.projection == SvgProjection::kAxonometric;
+  FlatOptions flat_options;
+  flat_options.hidden = scene.picture.style.hidden_parts == SvgHiddenParts::kDashed;
+  flat_options.regularize = options.regularize && !is_oblique;
+  FlatDrawing flat = Flatten(scene.graph, sheet, scene.picture.is_hidden, flat_options);
   DxfPlan plan;
+  plan.ellipses = std::move(flat.visible.ellipses);
   plan.hidden = std::move(flat.hidden);
   plan.lengths = std::move(flat.lengths);
-  plan.text_height = kTextMm * sheet.mm();
+  plan.layout = {sheet.mm(), TitleOf(options), ScaleText(sheet),
+                 UpName(scene.picture.sheet, metadata)};
   if (scene.picture.style.section) {
     plan.section = std::move(*scene.picture.style.section);
     for (SectionLine& line : plan.section.lines) {
@@ -129,7 +166,7 @@ DrawingGraph PutPlan(SvgScene scene, DxfOptions* dxf) {
     for (Eigen::Vector3d& point : plan.section.points) point = FlatPlace(sheet, point);
   }
   dxf->plan = std::move(plan);
-  return std::move(flat.graph);
+  return std::move(flat.visible.graph);
 }
 
 // Pictures of images are in the coordinates of the model, but their lengths in the unit asked for,
@@ -216,7 +253,8 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
                                              ? DimensionText{1, frame.unit}
                                              : TextInImage(metadata, options.format.unit);
     format.svg = scene.picture;
-    graph = is_svg ? std::move(scene.graph) : PutPlan(std::move(scene), &format.dxf);
+    graph =
+        is_svg ? std::move(scene.graph) : PutPlan(std::move(scene), options, metadata, &format.dxf);
   }
   ThrowIfCancelled(console->context());
   if (FormatName(options) == "step" && frame.unit == LengthUnit::kNone) {
@@ -254,8 +292,8 @@ void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
        {"component", DxfLayers::kComponent},
        {"single", DxfLayers::kSingle},
        {"face", DxfLayers::kFace}},
-      "DXF: what makes a layer, the shape of the curve (class), the kind of edge, the connected "
-      "component or the face");
+      "DXF: what makes a layer, the kind of edge (with line types and weights), the shape of the "
+      "curve (class), the connected component or the face");
   parser->AddOption(
       "unit", &format->unit,
       {{"none", LengthUnit::kNone},
@@ -307,6 +345,8 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   AddFormatOptions(&format, parser);
   parser->AddOption("cloud_path", &cloud_path, "GLB: a cloud to go with it, .ply");
   svg.AddOptions(parser);
+  parser->AddOption("regularize", &regularize,
+                    "DXF plans: lines that are level or plumb within their uncertainty are so");
   parser->AddOption("chains", &chains,
                     "limap: also links that are not straight, as chains of lines");
 }

@@ -148,6 +148,7 @@ void MoveToWorld(const Alignment& alignment, ViewerScene* scene) {
   for (ViewerPoint& point : scene->cloud) point.position = world_from_model * point.position;
   scene->shown_from_model = world_from_model;
   scene->z_is_up = true;
+  scene->scale_sigma = alignment.scale_sigma;
   if (alignment.IsMetric()) scene->unit = alignment.Unit();
 }
 

@@ -197,8 +197,8 @@ void SvgSource::AddOptions(OptionParser* parser) {
   parser->AddOption(
       "hidden", &hidden,
       {{"auto", Hidden::kAuto}, {"removed", Hidden::kRemoved}, {"dashed", Hidden::kDashed}},
-      "SVG, DXF plans: hidden parts (dashed in DXF: on a layer); auto = removed, where faces or "
-      "depths are known");
+      "SVG, DXF plans: hidden parts (dashed in DXF: on a layer of that line type); auto = removed, "
+      "where faces or depths are known");
   parser->AddOption("show_hidden", &show_hidden, "SVG, DXF plans: do not look for hidden parts");
   plan.AddOptions(parser);
   parser->AddOption("photo", &photo,
@@ -212,7 +212,7 @@ void SvgSource::AddOptions(OptionParser* parser) {
                     BasicOption("SVG: meaning of colors"));
   parser->AddOption("line_width_px", &style.line_width_px, "SVG: width of lines, px");
   parser->AddOption("sheet_scale", &sheet.sheet_scale,
-                    BasicOption("SVG: n of 1:n, 0 = the largest that fits on A3"));
+                    BasicOption("SVG, DXF plans: n of 1:n, 0 = the largest that fits on A3"));
   parser->AddOption("azimuth_deg", &sheet.azimuth_deg,
                     "SVG: axonometric, direction of the viewpoint about z, deg");
   parser->AddOption("elevation_deg", &sheet.elevation_deg,

@@ -65,10 +65,9 @@ class DegenerateScene : public ::testing::Test {
     RunConditions conditions;
     conditions.max_seconds = kMaxSeconds;
     conditions.max_memory_mb = kMaxMemoryMb;
-    const LimnRun run = RunLimn(
-        {"automatic_drawer", "--workspace_path", dir_.path().string(), "--max_image_size", "-1",
-         "--log_level", "2"},
-        conditions);
+    const LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", dir_.path().string(),
+                                 "--max_image_size", "-1", "--log_level", "2"},
+                                conditions);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(run.err, "");
     out_ = run.out;

@@ -24,7 +24,6 @@ void ExpectSoundFile(const json& read) {
   EXPECT_EQ(read.at("version"), "AC1015");
   EXPECT_EQ(read.at("errors"), json::array());
   EXPECT_EQ(read.at("fixes"), json::array());
-  EXPECT_EQ(read.at("paper_space"), 0);
   std::set<int> handles;
   for (const int handle : read.at("handles")) {
     EXPECT_TRUE(handles.insert(handle).second) << "handle " << handle << " is not unique";
@@ -158,7 +157,7 @@ std::map<std::string, int> CountsByLayer(const json& read) {
 
 TEST(DrawingExporterDxf, LayersByClass) {
   const ExportedDrawing exported(PrimitiveDrawing());
-  exported.Export("d.dxf");
+  exported.Export("d.dxf", {"--layers", "class"});
   const json read = exported.Read("read_dxf.py", "d.dxf");
   EXPECT_THAT(CountsByLayer(read),
               ElementsAre(Pair("arc", 4), Pair("circle", 1), Pair("junctions", 1), Pair("line", 1),
@@ -192,6 +191,39 @@ TEST(DrawingExporterDxf, LayersByComponentAndNone) {
   exported.Export("s.dxf", {"--layers", "single"});
   EXPECT_THAT(CountsByLayer(exported.Read("read_dxf.py", "s.dxf")),
               ElementsAre(Pair("drawing", 12), Pair("junctions", 1)));
+}
+
+TEST(DrawingExporterDxf, LayersByKindHaveLineTypesAndWeights) {
+  DrawingGraph graph = PrimitiveDrawing();
+  graph.links[0].kind = LinkKind::kEdge;
+  graph.links[1].kind = LinkKind::kPaint;
+  graph.links[2].kind = LinkKind::kShadow;
+  graph.links[3].kind = LinkKind::kRod;
+  graph.links[3].rod_radius = 0.1;
+  const ExportedDrawing exported(graph);
+  exported.Export("d.dxf");
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSoundFile(read);
+  EXPECT_EQ(read.at("line_types").at("edge"), "Continuous");
+  EXPECT_EQ(read.at("line_types").at("shadow"), "DOT");
+  EXPECT_EQ(read.at("line_types").at("rod"), "CENTER");
+  const json& weights = read.at("line_weights");
+  EXPECT_EQ(weights.at("edge"), 35);
+  EXPECT_LT(weights.at("paint"), weights.at("edge"));
+  EXPECT_EQ(read.at("sheet"), json());
+}
+
+// As in the page and drawing.json, although others are left out.
+TEST(DrawingExporterDxf, LinksAndNodesKeepTheirNumbers) {
+  DrawingGraph graph = PrimitiveDrawing();
+  graph.links[0].tentative = true;
+  const ExportedDrawing exported(graph);
+  exported.Export("d.dxf", {"--junctions", "0"});
+  const std::map<int, json> entities = LinkEntities(exported.Read("read_dxf.py", "d.dxf"));
+  ASSERT_EQ(entities.size(), graph.links.size() - 1);
+  EXPECT_FALSE(entities.contains(0));
+  EXPECT_EQ(entities.at(11).at("radius"),
+            std::get<CircularArc>(graph.links[11].primitive->shape).radius);
 }
 
 TEST(DrawingExporterDxf, JunctionsArePoints) {
@@ -319,23 +351,75 @@ TEST(DrawingExporterDxf, DimensionsAreDimensions) {
   }
 }
 
+double LengthOn(const json& read, const std::string& layer) {
+  double length = 0;
+  for (const json& entity : EntitiesOn(read, layer)) length += entity.at("length").get<double>();
+  return length;
+}
+
+TEST(DrawingExporterDxf, APlanIsOnASheetToScale) {
+  Alignment alignment;
+  alignment.world_from_model = {2, Eigen::Matrix3d::Identity(), {0, 0, 1}};
+  alignment.scale = ScaleSource::kLengths;
+  const ExportedDrawing exported(MeasuredCube(), alignment);
+  exported.Export("d.dxf", {"--view", "top", "--aligned", "1", "--sheet_scale", "20"});
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSoundFile(read);
+  const json& sheet = read.at("sheet");
+  EXPECT_EQ(sheet.at("size"), json({420, 297}));
+  EXPECT_EQ(sheet.at("frames"), 1);
+  ASSERT_EQ(sheet.at("units_per_mm").size(), 1u);
+  EXPECT_NEAR(sheet.at("units_per_mm")[0].get<double>(), 0.02, 1e-12);  // 1 m is 50 mm
+  EXPECT_THAT(sheet.at("texts").get<std::vector<std::string>>(),
+              ElementsAre(::testing::HasSubstr("top"), "1:20", "y"));
+  EXPECT_NEAR(read.at("line_type_scale").get<double>(), 0.02, 1e-12);
+  // Larger paper for what A3 does not hold.
+  exported.Export("e.dxf", {"--view", "top", "--aligned", "1", "--sheet_scale", "2"});
+  EXPECT_GT(exported.Read("read_dxf.py", "e.dxf").at("sheet").at("size")[1], 1000);
+}
+
+TEST(DrawingExporterDxf, CirclesSeenAtAnAngleAreEllipses) {
+  const ExportedDrawing exported(Cylinder());
+  exported.Export("d.dxf", {"--view", "axonometric", "--show_hidden", "1"});
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSoundFile(read);
+  const std::vector<json> ellipses = EntitiesOn(read, "unknown");
+  ASSERT_EQ(ellipses.size(), 2u);
+  for (const json& ellipse : ellipses) {
+    EXPECT_EQ(ellipse.at("type"), "ELLIPSE");
+    // Of half axes 1 and the root of a third, isometric.
+    EXPECT_NEAR(ellipse.at("length").get<double>(), 5.0447, 0.001);
+  }
+}
+
 TEST(DrawingExporterDxf, AViewAlongAFaceIsFlat) {
   const ExportedDrawing exported(MeasuredCube());
   exported.Export("d.dxf", {"--view", "face:2", "--up_axis", "z", "--hidden", "dashed"});
   const json read = exported.Read("read_dxf.py", "d.dxf");
   ExpectSoundFile(read);
   // The edges behind are on the outline, where nothing is hidden; those between have no length.
-  EXPECT_EQ(EntitiesOn(read, "line").size(), 8u);
+  EXPECT_EQ(EntitiesOn(read, "unknown").size(), 2u);
   EXPECT_EQ(EntitiesOn(read, "hidden").size(), 0u);
-  for (const json& entity : EntitiesOn(read, "line")) {
-    EXPECT_NEAR(entity.at("length").get<double>(), 1, 0.01);
+  for (const json& entity : EntitiesOn(read, "unknown")) {
+    EXPECT_EQ(entity.at("type"), "LWPOLYLINE");
+    EXPECT_TRUE(entity.at("closed"));
+    EXPECT_EQ(entity.at("ids").size(), 4u);
+    EXPECT_NEAR(entity.at("length").get<double>(), 4, 0.04);
     for (const json& point : entity.at("samples")) EXPECT_EQ(point[2], 0);
   }
   EXPECT_EQ(EntitiesOn(read, "dimensions").size(), 2u);
   exported.Export("a.dxf", {"--view", "axonometric", "--hidden", "dashed"});
   const json aslant = exported.Read("read_dxf.py", "a.dxf");
-  EXPECT_EQ(EntitiesOn(aslant, "line").size(), 9u);
-  EXPECT_EQ(EntitiesOn(aslant, "hidden").size(), 3u);
+  EXPECT_THAT(LengthOn(aslant, "unknown"), ::testing::DoubleNear(9 * std::sqrt(2.0 / 3), 0.03));
+  EXPECT_THAT(LengthOn(aslant, "hidden"), ::testing::DoubleNear(3 * std::sqrt(2.0 / 3), 0.03));
+  EXPECT_EQ(aslant.at("line_types").at("hidden"), "HIDDEN");
+  // Shown shorter, but measured as they are.
+  const std::vector<json> dimensions = EntitiesOn(aslant, "dimensions");
+  ASSERT_EQ(dimensions.size(), 2u);
+  for (const json& dimension : dimensions) {
+    EXPECT_NEAR(dimension.at("measured").get<double>(), 1, 1e-9);
+    EXPECT_NEAR(dimension.at("remeasured").get<double>(), 1, 1e-9);
+  }
   exported.Export("b.dxf", {"--view", "axonometric"});
   EXPECT_EQ(EntitiesOn(exported.Read("read_dxf.py", "b.dxf"), "hidden").size(), 0u);
 }
@@ -346,11 +430,12 @@ TEST(DrawingExporterDxf, DepthsAlongAFace) {
     std::vector<std::string> options = {"--view", "face:2", "--show_hidden", "1"};
     options.insert(options.end(), more.begin(), more.end());
     exported.Export("d.dxf", options);
-    return EntitiesOn(exported.Read("read_dxf.py", "d.dxf"), "line").size();
+    return EntitiesOn(exported.Read("read_dxf.py", "d.dxf"), "unknown").size();
   };
-  EXPECT_EQ(count({}), 8u);
-  EXPECT_EQ(count({"--depth_behind", "0.5"}), 4u);
-  EXPECT_EQ(count({"--depth_before", "0"}), 8u);
+  // Squares.
+  EXPECT_EQ(count({}), 2u);
+  EXPECT_EQ(count({"--depth_behind", "0.5"}), 1u);
+  EXPECT_EQ(count({"--depth_before", "0"}), 2u);
 }
 
 TEST(DrawingExporterDxf, ASectionIsAClosedLine) {
@@ -367,13 +452,13 @@ TEST(DrawingExporterDxf, ASectionIsAClosedLine) {
   EXPECT_TRUE(lines[0].at("closed"));
   EXPECT_NEAR(lines[0].at("length").get<double>(), 800, 1e-9);
   EXPECT_EQ(EntitiesOn(read, "section_points").size(), 4u);
-  EXPECT_EQ(EntitiesOn(read, "line").size(), 4u);
+  EXPECT_NEAR(LengthOn(read, "unknown"), 800, 1e-9);
   ASSERT_EQ(EntitiesOn(read, "dimensions").size(), 1u);  // the other one is cut
   EXPECT_EQ(EntitiesOn(read, "dimensions")[0].at("text"), "200 cm");
   exported.Export("c.dxf", {"--section", "2", "--section_below", "0"});
   const json cut = exported.Read("read_dxf.py", "c.dxf");
   EXPECT_EQ(EntitiesOn(cut, "section").size(), 1u);
-  EXPECT_EQ(EntitiesOn(cut, "line").size(), 0u);
+  EXPECT_EQ(EntitiesOn(cut, "unknown").size(), 0u);
 }
 
 TEST(DrawingExporterDxf, ASectionWithoutFacesIsWarnedOf) {

@@ -21,7 +21,7 @@ limn.Error; the text is the line that the program would print.
 import json
 import os
 from collections.abc import Callable, Iterable
-from typing import Any, Optional, Union
+from typing import Any, NamedTuple, Optional, Union
 
 from limn import _limn
 from limn._limn import (Alignment, Camera, Curves, Drawing, Edges, Face, Faces, ImageCurves, ImageEdges, Link, Links,
@@ -32,9 +32,9 @@ from limn.errors import Error, InputError, IoError, OptionError
 
 __all__ = [
     "Alignment", "Camera", "Curves", "Drawing", "Edges", "Error", "Face", "Faces", "ImageCurves", "ImageEdges",
-    "InputError", "IoError", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "RoundBody", "Scene",
-    "Sketch", "SketchCurve", "align", "draw", "edit", "evaluate", "export", "extract_edges", "find_faces", "fuse", "link",
-    "open", "read_drawing", "refine", "refine_cameras", "regularize", "run", "sketch",
+    "InputError", "IoError", "Length", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "RoundBody",
+    "Scene", "Sketch", "SketchCurve", "align", "draw", "edit", "evaluate", "export", "extract_edges", "find_faces",
+    "fuse", "link", "measure", "open", "read_drawing", "refine", "refine_cameras", "regularize", "run", "sketch",
 ]
 
 __version__: str = _limn.__version__
@@ -173,6 +173,28 @@ def align(drawing: Drawing, known_length: Union[str, Iterable[str]] = (), *, pro
     database_path, use_positions, world. Writes nothing.
     """
     return _limn.apply("align", drawing, texts_of(options, known_length=known_length or None), progress)
+
+
+class Length(NamedTuple):
+    """A length of a drawing, and its standard deviation: of the fit, the cameras, and the scale."""
+
+    length: float
+    sigma: Optional[float]  # None if unknown
+    unit: str  # 'm', or 'none' if the scale is unknown: the model's
+
+    def __str__(self) -> str:
+        spread = "" if self.sigma is None else f" +- {self.sigma:.2g}"
+        return f"{self.length:.6g}{spread}" + ("" if self.unit == "none" else f" {self.unit}")
+
+
+def measure(drawing: Drawing, span: str) -> Length:
+    """A length of a drawing, in meters if it is aligned and its scale is known.
+
+    `span` is "link 12", "from 3 to 7" (nodes), or "a.jpg 120,340 to b.jpg 500,220": what photographs show at two pixels,
+    as in align(), which needs the scene.
+    """
+    length, sigma, unit = _limn.measure(drawing, span)
+    return Length(length, sigma if sigma > 0 else None, unit)
 
 
 def _drawing_or_path(drawing: Union[Path, Drawing]) -> tuple[Optional[Drawing], Optional[Path]]:

@@ -177,6 +177,13 @@ Heading HeadingHint(const Eigen::Vector3d& up, const AlignmentResult& found) {
   return {x_is_vertical ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX(), AxesSource::kModel};
 }
 
+Heading ChooseHeading(const AlignmentInput& input, const Eigen::Vector3d& up,
+                      const AlignmentResult& found) {
+  const Heading hint = HeadingHint(up, found);
+  if (input.plan_lines.empty()) return hint;
+  return {FitPlanLines(input.graph, input.plan_lines, up, hint.direction), AxesSource::kPlan};
+}
+
 // Rows: the axes of the world.
 Eigen::Matrix3d RotationOf(const Eigen::Vector3d& up, const Eigen::Vector3d& heading) {
   const Eigen::Vector3d x = (heading - up * up.dot(heading)).normalized();
@@ -189,10 +196,12 @@ void SetScale(AlignmentResult* result) {
   Alignment& alignment = result->alignment;
   if (result->lengths) {
     alignment.world_from_model.scale = result->lengths->scale;
+    alignment.scale_sigma = result->lengths->sigma;
     alignment.scale = ScaleSource::kLengths;
   } else if (result->positions && result->position_check.doubt == PositionDoubt::kNone &&
              result->positions->scale_error < kMaxScaleError) {
     alignment.world_from_model.scale = result->positions->target_from_source.scale;
+    alignment.scale_sigma = result->positions->scale_error;
     alignment.scale = ScaleSource::kPositions;
   }
 }
@@ -253,12 +262,12 @@ AlignmentResult AlignDrawing(const AlignmentInput& input) {
   const Up hint = UpHint(input, result);
   result.vertical = FindVertical(lines, hint.direction);
   const Up up = ChooseUp(hint, result);
-  const Heading heading = HeadingHint(up.direction, result);
+  const Heading heading = ChooseHeading(input, up.direction, result);
   SetScale(&result);
   const bool is_at_positions = input.world == WorldFrame::kPositions &&
                                heading.source == AxesSource::kPositions &&
                                result.alignment.IsMetric();
-  if (!is_at_positions) {
+  if (!is_at_positions && heading.source != AxesSource::kPlan) {
     result.horizontal = FindHorizontal(lines, up.direction, heading.direction);
   }
 

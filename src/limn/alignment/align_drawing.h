@@ -6,6 +6,7 @@
 #include "limn/alignment/camera_hints.h"
 #include "limn/alignment/dominant_directions.h"
 #include "limn/alignment/known_lengths.h"
+#include "limn/alignment/plan_line.h"
 #include "limn/alignment/position_check.h"
 #include "limn/alignment/position_fit.h"
 #include "limn/model/alignment.h"
@@ -23,6 +24,7 @@ struct AlignmentInput {
   const DrawingGraph& graph;
   const std::vector<ViewPrior>& priors;  // one per view, or none
   const std::vector<KnownLength>& lengths;
+  const std::vector<PlanLine>& plan_lines;
   WorldFrame world = WorldFrame::kDrawing;
 };
 
@@ -43,8 +45,8 @@ struct AlignmentResult {
 };
 
 // Up, horizontal axes, scale, floor and middle of a drawing (algorithm/alignment.md). Throws
-// OptionError for lengths that the drawing does not have or that contradict each other. The same
-// input gives the same result.
+// OptionError for lengths and lines that the drawing does not have or that contradict each other.
+// The same input gives the same result.
 AlignmentResult AlignDrawing(const AlignmentInput& input);
 
 }  // namespace limn

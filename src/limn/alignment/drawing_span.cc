@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <numbers>
 #include <regex>
 #include <variant>
 
+#include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -25,26 +29,73 @@ std::optional<ImagePoint> PixelOf(const std::string& image, const std::string& x
   return ImagePoint{image, {*column, *row}};
 }
 
-SpanEnd EndOfLink(const DrawingLink& link, int end) {
-  SpanEnd result{end == 0 ? link.points_in_world.front() : link.points_in_world.back()};
-  if (!link.sigma.empty()) result.sigma = end == 0 ? link.sigma.front() : link.sigma.back();
+struct SpanEnd {
+  Eigen::Vector3d position;
+  Eigen::Matrix3d covariance;
+};
+struct SpanEnds {
+  SpanEnd from, to;
+};
+
+SpanEnd AtNode(const DrawingGraph& graph, NodeId node) {
+  return {graph.nodes[node].position_in_world, graph.nodes[node].covariance};
+}
+
+SpanEnd EndOfLink(const DrawingGraph& graph, const DrawingLink& link, int end) {
+  SpanEnd result = AtNode(graph, link.NodeAt(end));
   const auto* line = link.primitive ? std::get_if<LineSegment>(&link.primitive->shape) : nullptr;
   if (line) result.position = end == 0 ? line->start : line->end;
   return result;
 }
 
-SpanEnd AtNode(const DrawingGraph& graph, NodeId node) {
-  SpanEnd result{graph.nodes[node].position_in_world};
-  for (const LinkEnd& at : graph.nodes[node].incident) {
-    result.sigma = std::max(result.sigma, EndOfLink(graph.links[at.link], at.end).sigma);
+double ShapeLength(const DrawingLink& link) {
+  if (link.primitive) {
+    const CurveShape& shape = link.primitive->shape;
+    if (const auto* line = std::get_if<LineSegment>(&shape)) {
+      return (line->end - line->start).norm();
+    }
+    if (const auto* arc = std::get_if<CircularArc>(&shape)) return arc->radius * arc->sweep_rad;
   }
-  return result;
+  return Length(link.points_in_world);
+}
+
+// A closed curve grows with its radius.
+double SigmaOfClosed(const DrawingLink& link) {
+  if (link.sigma.empty()) return 0;
+  const double sigma = Median(link.sigma);
+  return std::isfinite(sigma) ? 2 * std::numbers::pi * sigma : 0;
+}
+
+double SigmaBetween(const SpanEnd& from, const SpanEnd& to) {
+  const Eigen::Vector3d way = to.position - from.position;
+  if (from.covariance.isZero(0) || to.covariance.isZero(0) || !(way.norm() > 0)) return 0;
+  const Eigen::Vector3d direction = way.normalized();
+  const double variance = direction.dot((from.covariance + to.covariance) * direction);
+  return std::sqrt(std::max(0.0, variance));
 }
 
 void CheckIsThere(const char* what, int id, size_t count) {
   if (id < static_cast<int>(count)) return;
   throw InputError("the drawing has no " + std::string(what) + " " + std::to_string(id) +
                    ", only " + std::to_string(count));
+}
+
+// A link's are those of its primitive if that is a line.
+SpanEnds EndsOf(const DrawingGraph& graph, const DrawingSpan& span) {
+  if (!span.places.empty()) {
+    const auto& from = span.places.front();
+    const auto& to = span.places.back();
+    return {{from.position, from.covariance}, {to.position, to.covariance}};
+  }
+  if (span.link >= 0) {
+    CheckIsThere("link", span.link, graph.links.size());
+    const DrawingLink& link = graph.links[span.link];
+    return {EndOfLink(graph, link, 0), EndOfLink(graph, link, 1)};
+  }
+  for (const NodeId node : {span.node0, span.node1}) {
+    CheckIsThere("node", node, graph.nodes.size());
+  }
+  return {AtNode(graph, span.node0), AtNode(graph, span.node1)};
 }
 
 }  // namespace
@@ -75,20 +126,32 @@ std::optional<DrawingSpan> ParseSpan(const std::string& text) {
   return span;
 }
 
-SpanEnds EndsOf(const DrawingGraph& graph, const DrawingSpan& span) {
-  if (!span.places.empty()) {
-    const auto& from = span.places.front();
-    const auto& to = span.places.back();
-    return {{from.position, from.sigma}, {to.position, to.sigma}};
-  }
+Eigen::Vector3d WayOf(const DrawingGraph& graph, const DrawingSpan& span) {
+  const auto [from, to] = EndsOf(graph, span);
+  if (from.position == to.position) throw InputError("both places are the same");
+  return to.position - from.position;
+}
+
+MeasuredLength MeasureSpan(const DrawingGraph& graph, const DrawingSpan& span) {
+  const auto [from, to] = EndsOf(graph, span);
+  MeasuredLength measured{(to.position - from.position).norm(), SigmaBetween(from, to)};
   if (span.link >= 0) {
-    CheckIsThere("link", span.link, graph.links.size());
-    return {EndOfLink(graph.links[span.link], 0), EndOfLink(graph.links[span.link], 1)};
+    const DrawingLink& link = graph.links[span.link];
+    measured.length = ShapeLength(link);
+    if (link.closed) measured.sigma = SigmaOfClosed(link);
   }
-  for (const NodeId node : {span.node0, span.node1}) {
-    CheckIsThere("node", node, graph.nodes.size());
+  if (!(measured.length > 0)) throw InputError("both places are the same");
+  return measured;
+}
+
+MeasuredLength InWorld(const MeasuredLength& in_model, const Alignment& alignment) {
+  MeasuredLength in_world;
+  in_world.length = alignment.world_from_model.scale * in_model.length;
+  if (in_model.sigma > 0) {
+    in_world.sigma = std::hypot(alignment.world_from_model.scale * in_model.sigma,
+                                alignment.scale_sigma * in_world.length);
   }
-  return {AtNode(graph, span.node0), AtNode(graph, span.node1)};
+  return in_world;
 }
 
 }  // namespace limn

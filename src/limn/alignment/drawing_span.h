@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "limn/alignment/image_point.h"
+#include "limn/model/alignment.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn {
@@ -22,16 +23,23 @@ struct DrawingSpan {
 // From "link 12", "from 3 to 7" or "a.jpg 120,340 to b.jpg 500,220". Nothing for other texts.
 std::optional<DrawingSpan> ParseSpan(const std::string& text);
 
-struct SpanEnd {
-  Eigen::Vector3d position;
-  double sigma = 0;
-};
-struct SpanEnds {
-  SpanEnd from, to;
+// From the first place of a span to the second; of a link from its first end to its last. Throws
+// InputError as MeasureSpan.
+Eigen::Vector3d WayOf(const DrawingGraph& graph, const DrawingSpan& span);
+
+struct MeasuredLength {
+  double length = 0;
+  double sigma = 0;  // standard deviation; 0: unknown
 };
 
-// A link's ends are those of its primitive if that is a line. Throws InputError if the drawing has
-// no such link or node. Precondition: places are known.
-SpanEnds EndsOf(const DrawingGraph& graph, const DrawingSpan& span);
+// Of a link that of its primitive, which does not follow the noise of its points; of a spline or a
+// link without a primitive that of its points. Otherwise the distance between two places. The
+// standard deviation is that of the places along the line through both (algorithm/belief.md#nodes),
+// and of a closed link that of its radius. Throws InputError if the drawing has no such link or
+// node, or both places are the same. Precondition: places are known.
+MeasuredLength MeasureSpan(const DrawingGraph& graph, const DrawingSpan& span);
+
+// In the world: in its unit, and with the standard deviation of its scale.
+MeasuredLength InWorld(const MeasuredLength& in_model, const Alignment& alignment);
 
 }  // namespace limn

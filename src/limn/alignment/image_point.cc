@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "limn/model/footprint.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
 #include "limn/util/printable.h"
@@ -16,6 +17,8 @@ constexpr double kSamePlacePx = 1;
 
 struct Candidate {
   DrawingPlace place;
+  double sigma = 0;                                 // of the link
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();  // unit vector
   double depth = 0;
   bool is_supported = false;
 };
@@ -71,8 +74,8 @@ Candidate NearestOnPiece(const DrawingLink& link, size_t i, const Piece& piece, 
   found.place.position = PointOn(link, i, in_space);
   found.place.distance_px = (a.pixel + in_image * along - pixel).norm();
   found.depth = Mix(a.depth, b.depth, on_piece);
-  if (!link.sigma.empty())
-    found.place.sigma = MixSigmas(link.sigma[i], link.sigma[i + 1], in_space);
+  found.along = (link.points_in_world[i + 1] - link.points_in_world[i]).stableNormalized();
+  if (!link.sigma.empty()) found.sigma = MixSigmas(link.sigma[i], link.sigma[i + 1], in_space);
   return found;
 }
 
@@ -94,6 +97,13 @@ std::optional<Candidate> NearestOnLink(const DrawingLink& link, const View& view
     }
   }
   return best;
+}
+
+Eigen::Matrix3d CovarianceOf(const Candidate& found, const View& view) {
+  if (!std::isfinite(found.sigma) || !(found.sigma > 0)) return Eigen::Matrix3d::Zero();
+  const double click = kClickSigmaPx * FootprintIn(view, found.place.position).value_or(0);
+  return found.sigma * found.sigma * Eigen::Matrix3d::Identity() +
+         click * click * found.along * found.along.transpose();
 }
 
 std::vector<Candidate> CandidatesAt(const Eigen::Vector2d& pixel, const View& view, ViewId id,
@@ -133,7 +143,9 @@ DrawingPlace SnapToDrawing(const ImagePoint& point, const View& view, ViewId id,
   const double least = std::ranges::min(candidates, {}, distance).place.distance_px;
   std::erase_if(candidates,
                 [&](const Candidate& one) { return distance(one) > least + kSamePlacePx; });
-  return std::ranges::min(candidates, {}, &Candidate::depth).place;
+  Candidate found = std::ranges::min(candidates, {}, &Candidate::depth);
+  found.place.covariance = CovarianceOf(found, view);
+  return found.place;
 }
 
 }  // namespace limn

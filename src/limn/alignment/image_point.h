@@ -23,7 +23,8 @@ std::string TextOf(const ImagePoint& point);
 // The place of a drawing that a photograph shows at a pixel.
 struct DrawingPlace {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  double sigma = 0;  // of the link there
+  // By the sigma of the link there, and along it by kClickSigmaPx; zero: unknown.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   LinkId link = -1;
   double distance_px = 0;  // from the pixel
 };
@@ -36,5 +37,7 @@ DrawingPlace SnapToDrawing(const ImagePoint& point, const View& view, ViewId id,
                            const DrawingGraph& graph);
 
 constexpr double kMaxSnapPx = 6;
+// How well a pixel is clicked.
+constexpr double kClickSigmaPx = 1;
 
 }  // namespace limn

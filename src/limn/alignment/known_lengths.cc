@@ -6,9 +6,7 @@
 #include <optional>
 #include <regex>
 #include <utility>
-#include <variant>
 
-#include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
 #include "limn/util/length_unit.h"
 #include "limn/util/number_text.h"
@@ -67,29 +65,9 @@ KnownLength ParseOne(const std::string& text) {
   return {*span, *meters, text};
 }
 
-double ShapeLength(const DrawingLink& link) {
-  if (link.primitive) {
-    const CurveShape& shape = link.primitive->shape;
-    if (const auto* line = std::get_if<LineSegment>(&shape))
-      return (line->end - line->start).norm();
-    if (const auto* arc = std::get_if<CircularArc>(&shape)) return arc->radius * arc->sweep_rad;
-  }
-  return Length(link.points_in_world);
-}
-
-// In the drawing, with its uncertainty.
-struct MeasuredLength {
-  double length = 0;
-  double sigma = 0;
-};
-
 MeasuredLength Measure(const DrawingGraph& graph, const KnownLength& known) {
   try {
-    const auto [from, to] = EndsOf(graph, known.span);
-    const double length = known.span.link >= 0 ? ShapeLength(graph.links[known.span.link])
-                                               : (to.position - from.position).norm();
-    if (!(length > 0)) throw InputError("both places are the same");
-    return {length, std::hypot(from.sigma, to.sigma)};
+    return MeasureSpan(graph, known.span);
   } catch (const InputError& error) {
     Fail(known.text, error.what());
   }
@@ -151,6 +129,16 @@ void CheckAgree(const std::vector<KnownLength>& lengths, const std::vector<UnitL
   if (worst > 0) FailContradicting(lengths, units, a, b);
 }
 
+// What the uncertainties of the drawing leave of the scale, relative.
+double SigmaOfScale(const std::vector<MeasuredLength>& measured) {
+  double squares = 0, weights = 0;
+  for (const auto& [length, sigma] : measured) {
+    squares += std::pow(length * sigma, 2);
+    weights += length * length;
+  }
+  return std::sqrt(squares) / weights;
+}
+
 // Of the mean of several, each with this weight.
 double ErrorOfScale(const LengthFit& fit, const std::vector<KnownLength>& lengths) {
   if (lengths.size() < 2) return 0;
@@ -178,9 +166,11 @@ std::vector<KnownLength> ParseKnownLengths(const std::vector<std::string>& texts
 LengthFit FitLengths(const DrawingGraph& graph, const std::vector<KnownLength>& lengths) {
   LengthFit fit;
   std::vector<UnitLength> units;
+  std::vector<MeasuredLength> measured;
   double product = 0, square = 0;
   for (const KnownLength& known : lengths) {
-    const auto [length, sigma] = Measure(graph, known);
+    measured.push_back(Measure(graph, known));
+    const auto [length, sigma] = measured.back();
     fit.lengths.push_back(length);
     units.push_back({std::log(known.meters / length), sigma / length});
     product += length * known.meters;
@@ -189,7 +179,7 @@ LengthFit FitLengths(const DrawingGraph& graph, const std::vector<KnownLength>& 
   CheckAgree(lengths, units);
   fit.scale = product / square;
   for (double& length : fit.lengths) length *= fit.scale;
-  fit.error = ErrorOfScale(fit, lengths);
+  fit.sigma = std::max(SigmaOfScale(measured), ErrorOfScale(fit, lengths));
   return fit;
 }
 

@@ -22,8 +22,9 @@ std::vector<KnownLength> ParseKnownLengths(const std::vector<std::string>& texts
 struct LengthFit {
   double scale = 1;             // meters per unit of the drawing
   std::vector<double> lengths;  // in the drawing, in meters by this scale
-  // Standard error, relative, from how far several differ; 0 for one.
-  double error = 0;
+  // Standard deviation of the scale, relative: the larger one of what the uncertainties of the
+  // drawing leave and, for several lengths, of how far they differ; 0: unknown.
+  double sigma = 0;
 };
 
 // The least-squares scale. The length of a link is that of its primitive, which does not follow the

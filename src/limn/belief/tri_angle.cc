@@ -6,8 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include "limn/geometry/tangent_frame.h"
-#include "limn/model/footprint.h"
+#include "limn/belief/covariance_across.h"
+#include "limn/belief/node_covariance.h"
 #include "limn/util/angles.h"
 #include "limn/util/map_items.h"
 #include "limn/util/median.h"
@@ -16,8 +16,6 @@ namespace limn {
 namespace {
 
 constexpr int kMaxSpreadPlaces = 9;
-// A view that looks along the curve within this angle does not tell its plane.
-constexpr double kMinAngleToCurve = 3 * kDeg;
 
 // What a view sees of a point of a curve; unit vectors.
 struct SightLine {
@@ -67,27 +65,6 @@ double SpreadAt(const SpreadPlace& place, const std::vector<Eigen::Vector3d>& ce
   return std::acos(least_cosine);
 }
 
-// The standard deviation in the direction across the curve that is known least, over the root of
-// the mean of the variances of both.
-double ElongationAt(const SpreadPlace& place, const DrawingLink& link,
-                    const std::vector<View>& views) {
-  const Eigen::Matrix<double, 3, 2> across = TangentFrame(place.tangent);
-  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
-  for (const ViewId v : link.supporting_views) {
-    const auto footprint = FootprintIn(views[v], place.position);
-    if (!footprint) continue;
-    const Eigen::Vector3d ray = place.position - views[v].CenterInWorld();
-    const Eigen::Vector3d normal = ray.cross(place.tangent);
-    if (!(normal.norm() > std::sin(kMinAngleToCurve) * ray.norm())) continue;
-    const Eigen::Vector2d seen = across.transpose() * normal.normalized() / *footprint;
-    information += seen * seen.transpose();
-  }
-  const double sum = information.trace();
-  if (!(sum > 0)) return 1;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(information, Eigen::EigenvaluesOnly);
-  return std::sqrt(2 * axes.eigenvalues()[1] / sum);
-}
-
 }  // namespace
 
 double TriAngleDeg(const DrawingLink& link, const std::vector<View>& views) {
@@ -110,21 +87,24 @@ double DepthSigma(const DrawingLink& link, const std::vector<View>& views) {
   std::vector<double> sigmas;
   for (const SpreadPlace& place : SpreadPlaces(link)) {
     if (!std::isfinite(place.sigma)) continue;
-    sigmas.push_back(place.sigma * ElongationAt(place, link, views));
+    const Eigen::Matrix3d covariance =
+        CovarianceAcross(link, place.position, place.tangent, place.sigma, views);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance, Eigen::EigenvaluesOnly);
+    sigmas.push_back(std::sqrt(axes.eigenvalues()[2]));
   }
   return sigmas.empty() ? -1 : Median(std::move(sigmas));
 }
 
-void MeasureDepthSigmas(const std::vector<View>& views, const RunContext& context,
-                        DrawingGraph* graph) {
+void MeasureSigmas(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph) {
   ParallelFor(context, "depths", graph->links.size(),
               [&](size_t l) { graph->links[l].depth_sigma = DepthSigma(graph->links[l], views); });
+  MeasureNodes(views, graph);
 }
 
 void MeasureDepth(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph) {
   const std::vector<double> angles_deg = TriAnglesDeg(*graph, views, context);
   for (size_t l = 0; l < graph->links.size(); ++l) graph->links[l].tri_angle_deg = angles_deg[l];
-  MeasureDepthSigmas(views, context, graph);
+  MeasureSigmas(views, context, graph);
 }
 
 }  // namespace limn

@@ -27,9 +27,8 @@ std::vector<double> TriAnglesDeg(const DrawingGraph& graph, const std::vector<Vi
 // contours, which are no curves in space. Time: 9 times the number of supporting views.
 double DepthSigma(const DrawingLink& link, const std::vector<View>& views);
 
-// Sets it for all links.
-void MeasureDepthSigmas(const std::vector<View>& views, const RunContext& context,
-                        DrawingGraph* graph);
+// Sets it for all links, and the covariances of nodes.
+void MeasureSigmas(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph);
 
 // Sets angles and standard deviations of all links.
 void MeasureDepth(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph);

@@ -376,7 +376,7 @@ void AddKind(const DrawingGraph& graph, const std::string& name, const std::vect
         segments.insert(segments.end(), {first + i, first + (i + 1) % count});
       }
     }
-    link_of_vertex.insert(link_of_vertex.end(), count, id);
+    link_of_vertex.insert(link_of_vertex.end(), count, NumberOfLink(graph, id));
     length += Length(link.points_in_world);
   }
   scene->AddLines(name, segments, link_of_vertex,
@@ -404,7 +404,7 @@ void AddJunctions(const DrawingGraph& graph, SceneBuilder* scene) {
   for (size_t id = 0; id < graph.nodes.size(); ++id) {
     if (graph.nodes[id].kind != NodeKind::kJunction) continue;
     scene->AddVertex(graph.nodes[id].position_in_world, kWhite);
-    ids.push_back(Value(static_cast<int>(id)));
+    ids.push_back(Value(NumberOfNode(graph, id)));
   }
   if (ids.empty()) return;
   scene->AddChild("junctions", TINYGLTF_MODE_POINTS, false, {{"nodes", Value(std::move(ids))}});
@@ -435,12 +435,14 @@ void WriteInMeters(const DrawingGraph& graph, const GlbOptions& options, std::os
   if (options.objects == GlbObjects::kKind) {
     AddKinds(graph, lines, curves, &scene);
   } else {
-    for (const LinkId id : lines) AddLink(graph.links[id], id, curves[id], &scene);
+    for (const LinkId id : lines)
+      AddLink(graph.links[id], NumberOfLink(graph, id), curves[id], &scene);
   }
   if (options.junctions) AddJunctions(graph, &scene);
   for (const GlbPoint& point : options.cloud) scene.AddVertex(point.position, point.color);
   if (!options.cloud.empty()) scene.AddChild("cloud", TINYGLTF_MODE_POINTS, false, {});
-  for (const LinkId id : tubes) AddTube(graph.links[id], id, curves[id], &scene);
+  for (const LinkId id : tubes)
+    AddTube(graph.links[id], NumberOfLink(graph, id), curves[id], &scene);
   AddFaces(graph, &scene);
   scene.Write(out);
 }

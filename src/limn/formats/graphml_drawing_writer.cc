@@ -52,8 +52,9 @@ void Put(const char* key, const std::string& value, std::ostream& out) {
   out << "<data key=\"" << key << "\">" << value << "</data>";
 }
 
-void PutNode(const DrawingNode& node, size_t id, std::ostream& out) {
-  out << "<node id=\"n" << id << "\">";
+void PutNode(const DrawingGraph& graph, size_t id, std::ostream& out) {
+  const DrawingNode& node = graph.nodes[id];
+  out << "<node id=\"n" << NumberOfNode(graph, id) << "\">";
   Put("x", NumberText(node.position_in_world.x()), out);
   Put("y", NumberText(node.position_in_world.y()), out);
   Put("z", NumberText(node.position_in_world.z()), out);
@@ -62,10 +63,12 @@ void PutNode(const DrawingNode& node, size_t id, std::ostream& out) {
   out << "</node>\n";
 }
 
-void PutLink(const DrawingLink& link, size_t id, std::ostream& out) {
-  out << "<edge id=\"l" << id << "\" source=\"n" << link.node0 << "\" target=\"n" << link.node1
-      << "\">";
-  Put("link", std::to_string(id), out);
+void PutLink(const DrawingGraph& graph, size_t id, std::ostream& out) {
+  const DrawingLink& link = graph.links[id];
+  const LinkId number = NumberOfLink(graph, id);
+  out << "<edge id=\"l" << number << "\" source=\"n" << NumberOfNode(graph, link.node0)
+      << "\" target=\"n" << NumberOfNode(graph, link.node1) << "\">";
+  Put("link", std::to_string(number), out);
   Put("length", NumberText(Length(link.points_in_world)), out);
   Put("points", std::to_string(link.points_in_world.size()), out);
   Put("views", std::to_string(link.supporting_views.size()), out);
@@ -88,8 +91,8 @@ void WriteDrawingGraphml(const DrawingGraph& graph, LengthUnit unit, std::ostrea
     Put("unit", UnitName(unit), out);
     out << '\n';
   }
-  for (size_t id = 0; id < graph.nodes.size(); ++id) PutNode(graph.nodes[id], id, out);
-  for (size_t id = 0; id < graph.links.size(); ++id) PutLink(graph.links[id], id, out);
+  for (size_t id = 0; id < graph.nodes.size(); ++id) PutNode(graph, id, out);
+  for (size_t id = 0; id < graph.links.size(); ++id) PutLink(graph, id, out);
   out << "</graph>\n</graphml>\n";
 }
 

@@ -1,5 +1,6 @@
 #include "limn/formats/json_drawing_reader.h"
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -44,10 +45,11 @@ Alignment ToAlignment(const JsonValue& value) {
   similarity.translation = PlaceOf(value.At("translation"));
   alignment.up = ToSource(value.At("up_from"), {UpSource::kGravity, UpSource::kPositions,
                                                 UpSource::kLines, UpSource::kCameras});
-  alignment.axes = ToSource(value.At("axes_from"),
-                            {AxesSource::kLines, AxesSource::kPositions, AxesSource::kModel});
+  alignment.axes = ToSource(value.At("axes_from"), {AxesSource::kLines, AxesSource::kPositions,
+                                                    AxesSource::kModel, AxesSource::kPlan});
   alignment.scale = ToSource(value.At("scale_from"),
                              {ScaleSource::kNone, ScaleSource::kLengths, ScaleSource::kPositions});
+  alignment.scale_sigma = value.NumberOr("scale_sigma", 0);
   const std::string broken = Validate(alignment);
   if (!broken.empty()) value.Fail(broken);
   if (value.At("unit").Text() != alignment.Unit()) {
@@ -74,10 +76,21 @@ std::optional<NodeKind> NodeKindNamed(const std::string& name) {
   return std::nullopt;
 }
 
+Eigen::Matrix3d FromUpperTriangle(const JsonValue& value) {
+  std::array<double, 6> t;
+  value.Numbers(t.size(), t.data());
+  Eigen::Matrix3d matrix;
+  matrix << t[0], t[1], t[2], t[1], t[3], t[4], t[2], t[4], t[5];
+  return matrix;
+}
+
 DrawingNode ToNode(const JsonValue& value) {
   DrawingNode node;
   node.position_in_world = PlaceOf(value.At("position"));
   node.kind = NamedBy(value.At("kind"), NodeKindNamed, "kind of node");
+  if (const auto covariance = value.Find("covariance")) {
+    node.covariance = FromUpperTriangle(*covariance);
+  }
   for (const JsonValue& end : value.At("incident").Items()) node.incident.push_back(ToLinkEnd(end));
   for (const JsonValue& pair : value.At("continuations").Items()) {
     const std::vector<JsonValue> ends = pair.Items(2, 2);

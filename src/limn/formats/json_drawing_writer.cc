@@ -25,13 +25,19 @@ Json ToJson(const Alignment& alignment) {
   const auto& [scale, rotation, translation] = alignment.world_from_model;
   Json rows = Json::array();
   for (int row = 0; row < 3; ++row) rows.push_back(ToJson(rotation.row(row).transpose().eval()));
-  return {{"scale", scale},
-          {"rotation", rows},
-          {"translation", ToJson(translation)},
-          {"unit", alignment.Unit()},
-          {"up_from", SourceName(alignment.up)},
-          {"axes_from", SourceName(alignment.axes)},
-          {"scale_from", SourceName(alignment.scale)}};
+  Json json = {{"scale", scale},
+               {"rotation", rows},
+               {"translation", ToJson(translation)},
+               {"unit", alignment.Unit()},
+               {"up_from", SourceName(alignment.up)},
+               {"axes_from", SourceName(alignment.axes)},
+               {"scale_from", SourceName(alignment.scale)}};
+  if (alignment.scale_sigma > 0) json["scale_sigma"] = alignment.scale_sigma;
+  return json;
+}
+
+Json UpperTriangle(const Eigen::Matrix3d& m) {
+  return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
 
 Json ToJson(const LinkEnd& end) { return {end.link, end.end}; }
@@ -41,6 +47,9 @@ Json ToJson(const DrawingNode& node, size_t id) {
                {"position", ToJson(node.position_in_world)},
                {"kind", NodeKindName(node.kind)},
                {"degree", node.Degree()}};
+  const double largest = node.covariance.cwiseAbs().maxCoeff();
+  if (largest > 0 && largest <= JsonValue::kMaxNumber)
+    json["covariance"] = UpperTriangle(node.covariance);
   json["incident"] = Json::array();
   for (const LinkEnd& end : node.incident) json["incident"].push_back(ToJson(end));
   json["continuations"] = Json::array();

@@ -13,14 +13,16 @@ namespace limn {
 //    "views": [name, ...], "options": {...},
 //    in an aligned drawing "world_from_model": {"scale", "rotation": [3 rows], "translation",
 //               "unit": "m"|"none", "up_from": "gravity"|"positions"|"lines"|"cameras",
-//               "axes_from": "lines"|"positions"|"model",
-//               "scale_from": "lengths"|"positions"|"none"}: world = scale * rotation * position +
+//               "axes_from": "lines"|"positions"|"model"|"plan",
+//               "scale_from": "lengths"|"positions"|"none", "scale_sigma", the relative standard
+//               deviation of the scale, where known}: world = scale * rotation * position +
 //               translation, z up; all positions below are the model's,
 //    where cameras are known "main_view_direction": [x, y, z], a unit vector in the model along
 //               which most of them look,
 //    where there are any, "dimensions": [{"from", "to", "shift"}], each
 //               [x, y, z] (model/dimension.h),
 //    "nodes": [{"id", "position": [x, y, z], "kind": "end"|"junction"|"loop_anchor", "degree",
+//               "covariance" of the position (MeasureNodes) where known: [xx, xy, xz, yy, yz, zz],
 //               "incident": [[link, end], ...], "continuations": [[[link, end], [link, end]],
 //               ...]}],
 //    "links": [{"id", "curve" (CurvesOf), "node0", "node1", "closed", "length", "residual_px",

@@ -62,7 +62,7 @@ void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, Lengt
   size_t num_vertices = graph.nodes.size();
   for (size_t id = 0; id < graph.links.size(); ++id) {
     const DrawingLink& link = graph.links[id];
-    out << "o link_" << id << '\n';
+    out << "o link_" << NumberOfLink(graph, id) << '\n';
     if (has_kinds) out << "g " << LinkKindName(link.kind) << '\n';
     if (link.kind == LinkKind::kRod) out << "# rod_radius " << NumberText(link.rod_radius) << '\n';
     std::vector<size_t> vertices = {static_cast<size_t>(link.node0) + 1};

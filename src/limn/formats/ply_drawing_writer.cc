@@ -62,7 +62,7 @@ void PutEdges(const DrawingGraph& graph, std::ostream& out) {
       PutLittleEndian(out, previous);
       PutLittleEndian(out, next);
       PutColor(out, color);
-      PutLittleEndian(out, static_cast<int32_t>(id));
+      PutLittleEndian(out, static_cast<int32_t>(NumberOfLink(graph, id)));
       if (has_classes) {
         PutLittleEndian(out, static_cast<uint8_t>(ClassOf(link)));
       }

@@ -11,7 +11,7 @@ namespace limn {
 namespace {
 
 constexpr NameTable<UpSource, 4> kUpSources = {{"gravity", "positions", "lines", "cameras"}};
-constexpr NameTable<AxesSource, 3> kAxesSources = {{"lines", "positions", "model"}};
+constexpr NameTable<AxesSource, 4> kAxesSources = {{"lines", "positions", "model", "plan"}};
 constexpr NameTable<ScaleSource, 3> kScaleSources = {{"none", "lengths", "positions"}};
 
 }  // namespace
@@ -22,10 +22,12 @@ const char* SourceName(ScaleSource source) { return kScaleSources.Of(source); }
 
 std::string Validate(const Alignment& alignment) {
   const auto& [scale, rotation, translation] = alignment.world_from_model;
-  if (!std::isfinite(scale) || !rotation.allFinite() || !translation.allFinite()) {
+  if (!std::isfinite(scale) || !rotation.allFinite() || !translation.allFinite() ||
+      !std::isfinite(alignment.scale_sigma)) {
     return "a number is not finite";
   }
   if (!(scale > 0)) return "the scale is not positive";
+  if (!(alignment.scale_sigma >= 0)) return "the standard deviation of the scale is negative";
   const bool is_orthonormal =
       (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-6;
   if (!is_orthonormal || rotation.determinant() < 0) return "the matrix is not a rotation";

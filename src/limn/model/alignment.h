@@ -20,6 +20,7 @@ enum class AxesSource {
   kLines,      // the x or y axis is along the main horizontal direction of the drawing
   kPositions,  // x is east
   kModel,      // x is as near to the model's as it can be
+  kPlan,       // the directions of lines in a floor plan
 };
 
 // What determined its scale.
@@ -31,7 +32,7 @@ enum class ScaleSource {
 
 // "gravity", "positions", "lines", "cameras".
 const char* SourceName(UpSource source);
-// "lines", "positions", "model".
+// "lines", "positions", "model", "plan".
 const char* SourceName(AxesSource source);
 // "none", "lengths", "positions".
 const char* SourceName(ScaleSource source);
@@ -43,13 +44,15 @@ struct Alignment {
   UpSource up = UpSource::kCameras;
   AxesSource axes = AxesSource::kModel;
   ScaleSource scale = ScaleSource::kNone;
+  // Standard deviation of the scale, relative; 0: unknown.
+  double scale_sigma = 0;
 
   bool IsMetric() const { return scale != ScaleSource::kNone; }
   const char* Unit() const { return IsMetric() ? "m" : "none"; }
 };
 
 // What is wrong with it; empty if it is valid. Wrong are non-finite numbers, a scale that is not
-// positive, and a matrix that is not a rotation to 1e-6.
+// positive, a negative standard deviation, and a matrix that is not a rotation to 1e-6.
 std::string Validate(const Alignment& alignment);
 
 // The alignment of a drawing whose coordinates were changed by file_from_model.

@@ -150,6 +150,9 @@ void CheckOrder(const DrawingGraph& graph, NodeId id, Violations* violations) {
 void CheckNode(const DrawingGraph& graph, NodeId id, Violations* violations) {
   const DrawingNode& node = graph.nodes[id];
   if (!node.position_in_world.allFinite()) violations->Add("node", id, "position not finite");
+  if (!node.covariance.allFinite() || !(node.covariance.diagonal().minCoeff() >= 0)) {
+    violations->Add("node", id, "not a covariance");
+  }
   if (node.incident.empty()) violations->Add("node", id, "no link ends here");
   const bool should_be_junction = node.Degree() >= 3;
   if ((node.kind == NodeKind::kJunction) != should_be_junction) {
@@ -209,6 +212,16 @@ std::vector<std::string> Validate(const DrawingGraph& graph) {
 NodeKind KindOf(const DrawingGraph& graph, const DrawingNode& node) {
   if (node.Degree() >= 3) return NodeKind::kJunction;
   return IsLoopAnchor(graph, node) ? NodeKind::kLoopAnchor : NodeKind::kEnd;
+}
+
+NodeId NumberOfNode(const DrawingGraph& graph, size_t node) {
+  const NodeId number = graph.nodes[node].number;
+  return number >= 0 ? number : static_cast<NodeId>(node);
+}
+
+LinkId NumberOfLink(const DrawingGraph& graph, size_t link) {
+  const LinkId number = graph.links[link].number;
+  return number >= 0 ? number : static_cast<LinkId>(link);
 }
 
 void RebuildIncidence(DrawingGraph* graph) {

@@ -39,6 +39,10 @@ struct LinkEnd {
 struct DrawingNode {
   Eigen::Vector3d position_in_world = Eigen::Vector3d::Zero();
   NodeKind kind = NodeKind::kEnd;
+  // Of its position, world units squared (MeasureNodes). Zero: unknown.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  // Its number in the drawing that this is a part of (Selected); -1: that of its place.
+  NodeId number = -1;
   // All link ends at this node, ascending. Degree = size.
   std::vector<LinkEnd> incident;
   // Pairs of incident link ends that continue each other smoothly.
@@ -193,6 +197,8 @@ struct DrawingLink {
   std::optional<LinkPrimitive> primitive = std::nullopt;
   // What its primitive has in common with others (limn/regularity/).
   std::optional<LinkRegularity> regularity = std::nullopt;
+  // As of nodes. The parts of a link in a flat drawing have the same.
+  LinkId number = -1;
 
   int size() const { return static_cast<int>(points_in_world.size()); }
   NodeId NodeAt(int end) const { return end == 0 ? node0 : node1; }
@@ -223,6 +229,10 @@ std::vector<std::string> Validate(const DrawingGraph& graph);
 
 // The kind of a node, by the link ends at it and by whether their link is closed.
 NodeKind KindOf(const DrawingGraph& graph, const DrawingNode& node);
+
+// The number that users know a node or link of a drawing or of a part of one by.
+NodeId NumberOfNode(const DrawingGraph& graph, size_t node);
+LinkId NumberOfLink(const DrawingGraph& graph, size_t link);
 
 // Recomputes `incident` and `kind` of every node from the links' node0, node1 and closed.
 void RebuildIncidence(DrawingGraph* graph);

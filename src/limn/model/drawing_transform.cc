@@ -16,7 +16,10 @@ DrawingGraph Transformed(DrawingGraph graph, double scale, const Eigen::Matrix3d
                          const Eigen::Vector3d& translation) {
   const Similarity3d similarity{scale, rotation, translation};
   const auto move = [&](Eigen::Vector3d* point) { *point = similarity * *point; };
-  for (DrawingNode& node : graph.nodes) move(&node.position_in_world);
+  for (DrawingNode& node : graph.nodes) {
+    move(&node.position_in_world);
+    node.covariance = scale * scale * rotation * node.covariance * rotation.transpose();
+  }
   for (DrawingLink& link : graph.links) {
     for (Eigen::Vector3d& point : link.points_in_world) move(&point);
     for (double& sigma : link.sigma) sigma *= scale;

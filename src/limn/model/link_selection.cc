@@ -71,6 +71,12 @@ std::array<bool, kNumLinkKinds> KindsFromNames(const std::string& names) {
 DrawingGraph Selected(DrawingGraph graph, const LinkSelection& selection) {
   std::vector<uint8_t> keep;
   for (const DrawingLink& link : graph.links) keep.push_back(selection.Has(link));
+  for (size_t id = 0; id < graph.links.size(); ++id) {
+    graph.links[id].number = NumberOfLink(graph, id);
+  }
+  for (size_t id = 0; id < graph.nodes.size(); ++id) {
+    graph.nodes[id].number = NumberOfNode(graph, id);
+  }
   RemoveLinks(keep, &graph);
   return graph;
 }

@@ -42,7 +42,8 @@ struct LinkSelection {
 // `kinds`.
 std::array<bool, kNumLinkKinds> KindsFromNames(const std::string& names);
 
-// The drawing without the other links. Nodes where two links are left stay.
+// The drawing without the other links, with the numbers that links and nodes had. Nodes where two
+// links are left stay.
 DrawingGraph Selected(DrawingGraph graph, const LinkSelection& selection);
 
 }  // namespace limn

@@ -141,7 +141,7 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
                         on_stage_end);
   if (cameras && cameras->uncertainty && !fits_given) {
     AddShareOfCameras(*cameras->uncertainty, seen.views, alone, &graph);
-    MeasureDepthSigmas(seen.views, alone, &graph);
+    MeasureSigmas(seen.views, alone, &graph);
   }
   if (input.images.release) input.images.release();
   auto keep = RecordWriter(seen, curves, drawn.sketch.plans, graph, options, context);

@@ -24,7 +24,9 @@ void LinkPartsBuilder::Add(const DrawingLink& link, bool has_begin, bool has_end
   const double sum = std::accumulate(link.sigma.begin(), link.sigma.end(), 0.0);
   part.sigma.assign(part.points_in_world.size(), sum / static_cast<double>(link.sigma.size()));
   if (curve.shape) {
-    part.primitive->shape = std::move(*curve.shape);
+    LinkPrimitive primitive = link.primitive.value_or(LinkPrimitive());
+    primitive.shape = std::move(*curve.shape);
+    part.primitive = std::move(primitive);
   } else {
     part.primitive.reset();
   }

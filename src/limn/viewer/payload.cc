@@ -184,13 +184,15 @@ void AddKinds(const ViewerScene& scene, PayloadArrays* arrays) {
 }
 
 void AddNodes(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {
-  Values positions;
+  Values positions, covariances;
   std::vector<uint8_t> kind;
   for (const DrawingNode& node : scene.graph.nodes) {
     positions.Put(node.position_in_world - center);
+    for (int column = 0; column < 3; ++column) covariances.Put(node.covariance.col(column));
     kind.push_back(static_cast<uint8_t>(node.kind));
   }
   arrays->Add("nodePositions", positions.numbers);
+  arrays->Add("nodeCovariances", covariances.numbers);
   arrays->Add("nodeKind", kind);
 }
 
@@ -317,6 +319,7 @@ std::string EncodePayload(const ViewerScene& scene) {
   header["center"] = ToJson(center);
   header["shownFromModel"] = ToJson(scene.shown_from_model);
   header["unit"] = scene.unit;
+  header["scaleSigma"] = scene.scale_sigma;
   header["zIsUp"] = scene.z_is_up;
   header["drawing"] = {{"name", scene.drawing.name}, {"fingerprint", scene.drawing.fingerprint}};
   header["detail"] = DetailName(scene.detail);

@@ -35,7 +35,7 @@ class AlignDrawingTest : public ::testing::Test {
   }
 
   AlignmentResult Align(WorldFrame world = WorldFrame::kDrawing) const {
-    return AlignDrawing({views_, graph_, priors_, lengths_, world});
+    return AlignDrawing({views_, graph_, priors_, lengths_, plan_lines_, world});
   }
 
   double UpErrorDeg(const AlignmentResult& result) const {
@@ -56,6 +56,7 @@ class AlignDrawingTest : public ::testing::Test {
   std::vector<Eigen::Vector3d> centers_;
   std::vector<ViewPrior> priors_;
   std::vector<KnownLength> lengths_;
+  std::vector<PlanLine> plan_lines_;
 
  private:
   Eigen::Matrix3d Error(const AlignmentResult& result) const {
@@ -141,6 +142,18 @@ TEST_F(AlignDrawingTest, KnownLengthsTellTheScaleBetterThanPositions) {
 
 // As in a national grid.
 const Eigen::Vector3d kGridShift(2600000, 1200000, 430);
+
+// Link 0 runs along x in the room.
+TEST_F(AlignDrawingTest, LinesOfAPlanTellTheAxes) {
+  plan_lines_ = ParsePlanLines({"link 0 = 30 deg"});
+  SetPositions(0.001);
+  const AlignmentResult result = Align();
+  EXPECT_EQ(result.alignment.axes, AxesSource::kPlan);
+  const DrawingLink& link = graph_.links[0];
+  const Eigen::Vector3d along = result.alignment.world_from_model.rotation *
+                                (link.points_in_world.back() - link.points_in_world.front());
+  EXPECT_NEAR(Degrees(std::atan2(along.y(), along.x())), 30, 1e-6);
+}
 
 TEST_F(AlignDrawingTest, TheWorldOfPositionsIsTheirs) {
   for (Eigen::Vector3d& center : centers_) center += kGridShift;

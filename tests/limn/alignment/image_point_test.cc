@@ -43,7 +43,6 @@ TEST_F(ImagePointTest, TheLinkInFrontIsMeant) {
   EXPECT_EQ(place.link, 1);
   EXPECT_LT((place.position - Eigen::Vector3d(0.25, 0.01, 2)).norm(), 1e-9);
   EXPECT_NEAR(place.distance_px, 0, 1e-9);
-  EXPECT_NEAR(place.sigma, 0.0005, 1e-12);
 }
 
 TEST_F(ImagePointTest, LinksThatTheImageSupportsComeFirst) {
@@ -75,9 +74,17 @@ TEST_F(ImagePointTest, LinksThatAreSeenInPartAreFound) {
   }
 }
 
+// Across by the link, along by how well a pixel is clicked, here 2 / focal length.
+TEST_F(ImagePointTest, PlacesTellTheirCovariance) {
+  const Eigen::Vector3d sigmas = Snap(At({0, 0.01, 2})).covariance.diagonal().cwiseSqrt();
+  const double click = kClickSigmaPx * 2 / view_.camera.fx;
+  EXPECT_NEAR(sigmas.y(), graph_.links[0].sigma[0], 1e-9);
+  EXPECT_NEAR(sigmas.x(), std::hypot(sigmas.y(), click), 1e-9);
+}
+
 TEST_F(ImagePointTest, AnUnknownSigmaStaysUnknown) {
   graph_.links[1].sigma = {0.0005, std::numeric_limits<double>::infinity()};
-  EXPECT_EQ(Snap(At({-1, 0.01, 2})).sigma, std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(Snap(At({-1, 0.01, 2})).covariance.isZero());
 }
 
 TEST_F(ImagePointTest, PixelsWithoutALinkAreAnError) {

@@ -1,5 +1,7 @@
 #include "limn/alignment/known_lengths.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -50,13 +52,25 @@ TEST(KnownLengths, SeveralAreFittedByLeastSquares) {
   EXPECT_DOUBLE_EQ(FitLengths(graph, ParseKnownLengths({"from 0 to 1 = 2.5 m"})).scale, 0.5);
 }
 
+// As of all nodes.
+DrawingGraph WireRoomWithin(double sigma) {
+  DrawingGraph graph = testing::WireRoom();
+  for (DrawingNode& node : graph.nodes) {
+    node.covariance = sigma * sigma * Eigen::Matrix3d::Identity();
+  }
+  return graph;
+}
+
 TEST(KnownLengths, TellTheErrorOfTheScale) {
   const DrawingGraph graph = testing::WireRoom();
-  EXPECT_EQ(FitLengths(graph, ParseKnownLengths({"link 0 = 10 m"})).error, 0);
+  EXPECT_EQ(FitLengths(graph, ParseKnownLengths({"link 0 = 10 m"})).sigma, 0);
   const LengthFit same = FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 8 m"}));
-  EXPECT_NEAR(same.error, 0, 1e-12);
+  EXPECT_NEAR(same.sigma, 0, 1e-12);
   const LengthFit apart = FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 8.2 m"}));
-  EXPECT_NEAR(apart.error, 0.0123, 0.001);  // half of the difference
+  EXPECT_NEAR(apart.sigma, 0.0123, 0.001);  // half of the difference
+  // Of 5, between two places.
+  const LengthFit within = FitLengths(WireRoomWithin(0.1), ParseKnownLengths({"link 0 = 10 m"}));
+  EXPECT_NEAR(within.sigma, 0.1 * std::sqrt(2) / 5, 1e-12);
 }
 
 TEST(KnownLengths, ThatContradictEachOtherAreNamed) {
@@ -84,9 +98,8 @@ TEST(KnownLengths, ThatContradictEachOtherAreNamed) {
 }
 
 TEST(KnownLengths, OfUncertainLinksMayDiffer) {
-  DrawingGraph graph = testing::WireRoom();
-  graph.links[4].sigma.assign(3, 0.2);  // of 4
-  EXPECT_GT(FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 9 m"})).error, 0.03);
+  const DrawingGraph graph = WireRoomWithin(0.2);
+  EXPECT_GT(FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 9 m"})).sigma, 0.03);
   EXPECT_THROW(FitLengths(graph, ParseKnownLengths({"link 0 = 10 m", "link 4 = 20 m"})),
                OptionError);
 }

@@ -8,6 +8,7 @@ import math
 import sys
 
 import ezdxf
+import ezdxf.path
 
 
 def is_face(entity):
@@ -15,7 +16,7 @@ def is_face(entity):
 
 
 def is_curve(entity):
-    return not is_face(entity) and entity.dxftype() in ("LINE", "ARC", "CIRCLE", "SPLINE", "POLYLINE")
+    return not is_face(entity) and entity.dxftype() in ("LINE", "ARC", "CIRCLE", "SPLINE", "POLYLINE", "LWPOLYLINE", "ELLIPSE")
 
 
 def points_and_length(entity):
@@ -26,6 +27,8 @@ def points_and_length(entity):
     elif kind == "POLYLINE":
         points = [vertex.dxf.location for vertex in entity.vertices]
         points += points[:1] if entity.is_closed else []
+    elif kind in ("LWPOLYLINE", "ELLIPSE"):
+        points = list(ezdxf.path.make_path(entity).flattening(1e-6))
     elif kind == "SPLINE":
         points = list(entity.construction_tool().approximate(20000))
     else:
@@ -40,6 +43,7 @@ def points_and_length(entity):
 def describe(entity):
     extended = dict(entity.get_xdata("LIMN"))
     record = {"type": entity.dxftype(), "layer": entity.dxf.layer, "id": extended[1071],
+              "ids": [tag.value for tag in entity.get_xdata("LIMN") if tag.code == 1071],
               "rod_radius": extended.get(1041), "owner": entity.dxf.owner}
     if is_curve(entity):
         points, record["length"] = points_and_length(entity)
@@ -61,7 +65,11 @@ def describe(entity):
     elif entity.dxftype() == "POLYLINE":
         record["is_3d"], record["closed"] = entity.is_3d_polyline, entity.is_closed
         record["points"] = [list(vertex.dxf.location) for vertex in entity.vertices]
+    if entity.dxftype() == "LWPOLYLINE":
+        record["closed"], record["points"] = entity.closed, [list(point) for point in entity.get_points("xyb")]
     if entity.dxftype() == "DIMENSION":
+        factor = entity.override().get("dimlfac", 1)
+        record["remeasured"] = factor * entity.dxf.defpoint2.distance(entity.dxf.defpoint3)
         record["text"], record["measured"] = entity.dxf.text, entity.dxf.actual_measurement
         record["places"] = [list(entity.dxf.defpoint2), list(entity.dxf.defpoint3), list(entity.dxf.defpoint)]
         # What programs show.
@@ -70,6 +78,17 @@ def describe(entity):
     if entity.dxftype() == "POINT":
         record["location"] = list(entity.dxf.location)
     return record
+
+
+def describe_sheet(document):
+    """The paper space: its texts, and the scale of its window."""
+    layout = document.layout()
+    window = [entity for entity in layout.query("VIEWPORT") if entity.dxf.id > 1]
+    return {"size": [layout.dxf.paper_width, layout.dxf.paper_height],
+            "texts": [entity.dxf.text for entity in layout.query("TEXT")],
+            "frames": len(layout.query("LWPOLYLINE")),
+            "units_per_mm": [entity.dxf.view_height / entity.dxf.height for entity in window],
+            "center": [list(entity.dxf.view_center_point)[:2] for entity in window]}
 
 
 def raw_handles(path):
@@ -99,6 +118,10 @@ def main():
         "unit": document.header["$INSUNITS"],
         "extent": [list(document.header["$EXTMIN"]), list(document.header["$EXTMAX"])],
         "layers": {layer.dxf.name: layer.dxf.color for layer in document.layers},
+        "line_types": {layer.dxf.name: layer.dxf.linetype for layer in document.layers},
+        "line_weights": {layer.dxf.name: layer.dxf.lineweight for layer in document.layers},
+        "line_type_scale": document.header["$LTSCALE"],
+        "sheet": describe_sheet(document) if len(document.layout()) else None,
         "model_space": document.modelspace().layout_key,
         "paper_space": len(document.layout()),
         "entities": [describe(entity) for entity in document.modelspace()],

@@ -84,6 +84,21 @@ class PictureWriter {
   DxfWriter& writer_;
 };
 
+// Of a dimension that the view shortens: what programs measure times this is its length.
+void PutLengthFactor(const DxfDimension& dimension, DxfWriter* writer) {
+  constexpr int kLengthFactor = 144;  // DIMLFAC
+  constexpr double kSame = 1e-9;
+  const double drawn = (dimension.lines.measured_to - dimension.lines.measured_from).norm();
+  const double factor = dimension.length / drawn;
+  if (std::abs(factor - 1) < kSame) return;
+  writer->Put(1001, "ACAD");
+  writer->Put(1000, "DSTYLE");
+  writer->Put(1002, "{");
+  writer->Put(1070, kLengthFactor);
+  writer->Put(1040, factor);
+  writer->Put(1002, "}");
+}
+
 }  // namespace
 
 std::string DimensionBlockName(size_t index) { return "*D" + std::to_string(index); }
@@ -126,6 +141,7 @@ void PutDimension(const DxfDimension& dimension, size_t index, double text_heigh
   writer->Put(100, "AcDbAlignedDimension");
   writer->PutPoint(13, lines.measured_from);
   writer->PutPoint(14, lines.measured_to);
+  PutLengthFactor(dimension, writer);
   writer->Put(1001, kDxfApplication);
   writer->Put(1071, dimension.id);
 }

@@ -7,6 +7,7 @@
 
 #include "limn/formats/dxf/entities.h"
 #include "limn/formats/dxf/layers.h"
+#include "limn/formats/dxf/layout.h"
 #include "limn/formats/dxf/tables.h"
 #include "limn/formats/dxf/writer.h"
 
@@ -41,7 +42,9 @@ Eigen::AlignedBox3d ExtentOf(const DrawingGraph& graph, const DxfOptions& option
            &extent);
   }
   if (options.plan) {
-    for (const Polyline3d& line : options.plan->hidden) Extend(line, &extent);
+    for (const DrawingLink& link : options.plan->hidden.graph.links) {
+      Extend(link.points_in_world, &extent);
+    }
     for (const SectionLine& line : options.plan->section.lines) Extend(line.points, &extent);
     Extend(options.plan->section.points, &extent);
   }
@@ -50,10 +53,10 @@ Eigen::AlignedBox3d ExtentOf(const DrawingGraph& graph, const DxfOptions& option
 
 DxfDimensions DimensionsOf(const DrawingGraph& graph, const DxfOptions& options,
                            const Eigen::AlignedBox3d& extent) {
-  constexpr double kHeightOfExtent = 0.01;
+  constexpr double kHeightOfExtent = 0.01, kTextMm = 2.5;
   DxfDimensions dimensions;
   dimensions.text_height =
-      options.plan ? options.plan->text_height : kHeightOfExtent * extent.diagonal().norm();
+      options.plan ? kTextMm * options.plan->layout.mm : kHeightOfExtent * extent.diagonal().norm();
   for (size_t i = 0; i < graph.dimensions.size(); ++i) {
     const DrawingDimension& dimension = graph.dimensions[i];
     if (dimension.from == dimension.to) continue;
@@ -65,8 +68,23 @@ DxfDimensions DimensionsOf(const DrawingGraph& graph, const DxfOptions& options,
   return dimensions;
 }
 
-void PutHeader(const Eigen::AlignedBox3d& extent, LengthUnit unit, int next_handle,
-               DxfWriter* writer) {
+// Drawing units per millimeter of line types.
+double LineTypeScale(const Eigen::AlignedBox3d& extent, const DxfOptions& options) {
+  constexpr double kPaperMm = 400;
+  if (options.plan) return options.plan->layout.mm;
+  const double size = extent.isEmpty() ? 0 : extent.diagonal().norm();
+  return size > 0 ? size / kPaperMm : 1;
+}
+
+struct DxfHead {
+  Eigen::AlignedBox3d extent;
+  LengthUnit unit = LengthUnit::kNone;
+  double line_type_scale = 1;
+  int next_handle = 1;
+};
+
+void PutHeader(const DxfHead& head, DxfWriter* writer) {
+  const auto& [extent, unit, line_type_scale, next_handle] = head;
   constexpr double kNowhere = 1e20;  // how AutoCAD says that there is nothing
   const bool empty = extent.isEmpty();
   const bool imperial = unit == LengthUnit::kInch || unit == LengthUnit::kFoot;
@@ -86,6 +104,8 @@ void PutHeader(const Eigen::AlignedBox3d& extent, LengthUnit unit, int next_hand
   variable("$LUNITS", 70, 2);
   variable("$LUPREC", 70, 6);
   variable("$CLAYER", 8, "0");
+  variable("$LTSCALE", 40, line_type_scale);
+  variable("$PSLTSCALE", 70, 0);  // in windows as in the model
   // Points as small circles, 1 % of the window.
   variable("$PDMODE", 70, 32);
   variable("$PDSIZE", 40, -1.0);
@@ -112,16 +132,21 @@ void WriteDrawingDxf(const DrawingGraph& graph, const DxfOptions& options, Lengt
   const DxfSpaces spaces = PutDxfTables(plan.layers, extent, dimensions, &next_handle, &writer);
   PutDxfBlocks(spaces, dimensions, &next_handle, &writer);
   writer.BeginSection("ENTITIES");
-  PutDxfEntities(graph, plan, options.plan, spaces.model, &next_handle, &writer);
+  const DxfLayoutRecords& records = spaces.records;
+  PutDxfEntities(graph, plan, options.plan, records.model, &next_handle, &writer);
   for (size_t i = 0; i < dimensions.all.size(); ++i) {
-    PutDimension(dimensions.all[i], i, dimensions.text_height, spaces.model, &next_handle, &writer);
+    PutDimension(dimensions.all[i], i, dimensions.text_height, records.model, &next_handle,
+                 &writer);
   }
+  std::optional<DxfLayout> layout;
+  if (options.plan) layout = options.plan->layout;
+  if (layout) PutPaperSpace(*layout, extent, records.paper, &next_handle, &writer);
   writer.EndSection();
-  PutDxfObjects(&next_handle, &writer);
+  PutDxfObjects(records, layout, extent, &next_handle, &writer);
   writer.Put(0, "EOF");
 
   DxfWriter header(out);
-  PutHeader(extent, unit, next_handle, &header);
+  PutHeader({extent, unit, LineTypeScale(extent, options), next_handle}, &header);
   out << body.view();
 }
 

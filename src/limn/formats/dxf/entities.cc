@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/formats/dxf/chains.h"
 #include "limn/formats/dxf/object_axes.h"
 #include "limn/formats/triangle_parts.h"
 #include "limn/util/angles.h"
@@ -23,13 +24,33 @@ class EntityWriter {
   EntityWriter(const DxfLayerPlan& plan, int model_space, int* next_handle, DxfWriter* writer)
       : plan_(plan), model_space_(model_space), next_handle_(next_handle), writer_(*writer) {}
 
-  void PutLink(const DrawingLink& link, LinkId id) {
-    SetMarks(plan_.of_link[id], id, link.rod_radius);
+  void PutLink(const DrawingLink& link, int layer, LinkId number) {
+    SetMarks(layer, number, link.rod_radius);
     if (link.primitive) {
       std::visit([this](const auto& shape) { Put(shape); }, link.primitive->shape);
     } else {
       const bool closed = link.node0 == link.node1;
       PutPolyline(std::span(link.points_in_world).first(link.size() - (closed ? 1 : 0)), closed);
+    }
+  }
+
+  // Links of a plan. `layers`: one per link.
+  void PutFlat(const FlatLinks& flat, const std::vector<int>& layers, double tolerance) {
+    const DrawingGraph& graph = flat.graph;
+    std::vector<uint8_t> in_chain(graph.links.size(), 0);
+    for (const FlatChain& chain : FindChains(flat, layers, tolerance)) {
+      for (const LinkId id : chain.links) in_chain[id] = 1;
+      PutChain(chain, graph, layers[chain.links.front()]);
+    }
+    for (size_t id = 0; id < graph.links.size(); ++id) {
+      if (in_chain[id]) continue;
+      const DrawingLink& link = graph.links[id];
+      if (flat.ellipses[id]) {
+        SetMarks(layers[id], NumberOfLink(graph, id), link.rod_radius);
+        Put(*flat.ellipses[id]);
+      } else {
+        PutLink(link, layers[id], NumberOfLink(graph, id));
+      }
     }
   }
 
@@ -46,19 +67,14 @@ class EntityWriter {
     PutExtendedData();
   }
 
-  void PutLine(const Polyline3d& points, bool closed, int layer, int id) {
-    SetMarks(layer, id);
-    PutPolyline(points, closed);
-  }
-
-  void PutPlan(const DxfPlan& plan) {
-    for (size_t i = 0; i < plan.hidden.size(); ++i) {
-      PutLine(plan.hidden[i], false, plan_.of_hidden, static_cast<int>(i));
-    }
-    const Section& section = plan.section;
+  void PutSection(const Section& section) {
     for (size_t i = 0; i < section.lines.size(); ++i) {
-      PutLine(section.lines[i].points, section.lines[i].closed, plan_.of_section,
-              static_cast<int>(i));
+      SetMarks(plan_.of_section, static_cast<int>(i));
+      std::vector<ChainVertex> vertices;
+      for (const Eigen::Vector3d& point : section.lines[i].points) {
+        vertices.push_back({point.head<2>()});
+      }
+      PutFlatPolyline(vertices, section.lines[i].closed);
     }
     for (size_t i = 0; i < section.points.size(); ++i) {
       PutPoint(section.points[i], plan_.of_section_points, static_cast<int>(i));
@@ -69,8 +85,27 @@ class EntityWriter {
   // Of the entity that is put next.
   void SetMarks(int layer, int id, double rod_radius = 0) {
     layer_ = plan_.layers[layer].name;
-    id_ = id;
+    ids_ = {id};
     rod_radius_ = rod_radius;
+  }
+
+  void PutChain(const FlatChain& chain, const DrawingGraph& graph, int layer) {
+    const DrawingLink& first = graph.links[chain.links.front()];
+    if (chain.links.size() == 1 && first.primitive) {
+      PutLink(first, layer, NumberOfLink(graph, chain.links.front()));
+      return;
+    }
+    SetMarks(layer, 0);
+    ids_.clear();
+    for (const LinkId id : chain.links) ids_.push_back(NumberOfLink(graph, id));
+    const auto place = [&](size_t i) -> Eigen::Vector3d {
+      return {chain.vertices[i].place.x(), chain.vertices[i].place.y(), 0};
+    };
+    if (chain.vertices.size() == 2 && chain.vertices[0].bulge == 0) {
+      Put(LineSegment{place(0), place(1)});
+    } else {
+      PutFlatPolyline(chain.vertices, chain.closed);
+    }
   }
 
   // Returns the handle.
@@ -87,7 +122,7 @@ class EntityWriter {
 
   void PutExtendedData() {
     writer_.Put(1001, kDxfApplication);
-    writer_.Put(1071, id_);
+    for (const int id : ids_) writer_.Put(1071, id);
     if (rod_radius_ > 0) writer_.Put(1041, rod_radius_);  // scaled with the entity
   }
 
@@ -128,6 +163,30 @@ class EntityWriter {
     writer_.Put(43, kTolerance);
     for (const double knot : spline.knots) writer_.Put(40, knot);
     for (const Eigen::Vector3d& point : spline.control_points) writer_.PutPoint(10, point);
+    PutExtendedData();
+  }
+
+  void Put(const EllipticalArc& arc) {
+    Begin("ELLIPSE", "AcDbEllipse", model_space_);
+    writer_.PutPoint(10, arc.center);
+    writer_.PutPoint(11, arc.major);
+    writer_.PutPoint(210, Eigen::Vector3d::UnitZ());
+    writer_.Put(40, arc.Ratio());
+    writer_.Put(41, arc.begin_rad);
+    writer_.Put(42, arc.end_rad);
+    PutExtendedData();
+  }
+
+  void PutFlatPolyline(const std::vector<ChainVertex>& vertices, bool closed) {
+    constexpr int kDashesThroughVertices = 128;
+    Begin("LWPOLYLINE", "AcDbPolyline", model_space_);
+    writer_.Put(90, static_cast<int>(vertices.size()));
+    writer_.Put(70, kDashesThroughVertices + (closed ? 1 : 0));
+    for (const ChainVertex& vertex : vertices) {
+      writer_.Put(10, vertex.place.x());
+      writer_.Put(20, vertex.place.y());
+      if (vertex.bulge != 0) writer_.Put(42, vertex.bulge);
+    }
     PutExtendedData();
   }
 
@@ -179,7 +238,7 @@ class EntityWriter {
   int* next_handle_;
   DxfWriter& writer_;
   std::string layer_;
-  int id_ = 0;
+  std::vector<int> ids_;
   double rod_radius_ = 0;
 };
 
@@ -189,20 +248,27 @@ void PutDxfEntities(const DrawingGraph& graph, const DxfLayerPlan& plan,
                     const std::optional<DxfPlan>& flat_plan, int model_space, int* next_handle,
                     DxfWriter* writer) {
   EntityWriter entities(plan, model_space, next_handle, writer);
-  for (size_t id = 0; id < graph.links.size(); ++id) {
-    entities.PutLink(graph.links[id], static_cast<LinkId>(id));
+  if (flat_plan) {
+    const double tolerance = kStraightMm * flat_plan->layout.mm;
+    const size_t num_hidden = flat_plan->hidden.graph.links.size();
+    entities.PutFlat({graph, flat_plan->ellipses}, plan.of_link, tolerance);
+    entities.PutFlat(flat_plan->hidden, std::vector<int>(num_hidden, plan.of_hidden), tolerance);
+    entities.PutSection(flat_plan->section);
+  } else {
+    for (size_t id = 0; id < graph.links.size(); ++id) {
+      entities.PutLink(graph.links[id], plan.of_link[id], NumberOfLink(graph, id));
+    }
   }
   for (size_t id = 0; id < graph.faces.size(); ++id) {
     for (const TrianglePart& part : PartsOf(graph.faces[id])) {
       entities.PutFace(part, static_cast<int>(id));
     }
   }
-  if (flat_plan) entities.PutPlan(*flat_plan);
   if (plan.of_junctions < 0) return;
   for (size_t id = 0; id < graph.nodes.size(); ++id) {
     if (graph.nodes[id].kind != NodeKind::kJunction) continue;
     entities.PutPoint(graph.nodes[id].position_in_world, plan.of_junctions,
-                      static_cast<NodeId>(id));
+                      NumberOfNode(graph, id));
   }
 }
 

@@ -19,8 +19,22 @@ int ColorOfClass(const std::string& primitive, DenseClass dense_class) {
   return hues.at(primitive) + 2 * static_cast<int>(dense_class);
 }
 
-// Unknown is gray, texture dark gray.
-constexpr std::array<int, kNumLinkKinds> kColorOfKind = {9, kForeground, 30, 170, 200, 90, 8};
+constexpr int kWide = 35, kMiddle = 25, kThin = 18, kFine = 13, kSectionWeight = 50;
+
+// As drafting wants them: what bounds a body is wide, what is on its surface thin, a center line
+// dash-dotted. Unknown is gray, texture dark gray.
+DxfLayer LayerOfKind(LinkKind kind) {
+  static const std::array<DxfLayer, kNumLinkKinds> layers = {{
+      {LinkKindName(LinkKind::kUnknown), 9, DxfLineType::kContinuous, kMiddle},
+      {LinkKindName(LinkKind::kEdge), kForeground, DxfLineType::kContinuous, kWide},
+      {LinkKindName(LinkKind::kPaint), 30, DxfLineType::kContinuous, kThin},
+      {LinkKindName(LinkKind::kShadow), 170, DxfLineType::kDotted, kFine},
+      {LinkKindName(LinkKind::kContour), 200, DxfLineType::kContinuous, kMiddle},
+      {LinkKindName(LinkKind::kRod), 90, DxfLineType::kCenter, kMiddle},
+      {LinkKindName(LinkKind::kTexture), 8, DxfLineType::kContinuous, kFine},
+  }};
+  return layers[static_cast<int>(kind)];
+}
 
 // Hues of neighboring numbers are far apart: 7 and 24 have no common divisor.
 int ColorOfComponent(int component) { return 10 + 10 * (component * 7 % 24); }
@@ -65,9 +79,7 @@ std::vector<DxfLayer> LayersOfLinks(const DrawingGraph& graph, DxfLayers layers)
   if (layers == DxfLayers::kClass) {
     for (const DrawingLink& link : graph.links) of_links.push_back(LayerOfClass(link));
   } else if (layers == DxfLayers::kKind) {
-    for (const DrawingLink& link : graph.links) {
-      of_links.push_back({LinkKindName(link.kind), kColorOfKind[static_cast<int>(link.kind)]});
-    }
+    for (const DrawingLink& link : graph.links) of_links.push_back(LayerOfKind(link.kind));
   } else if (layers == DxfLayers::kComponent) {
     const std::vector<int> components = ComponentsOfLinks(graph);
     const int count =
@@ -99,17 +111,31 @@ std::vector<DxfLayer> LayersOfFaces(const DrawingGraph& graph, DxfLayers layers)
 
 }  // namespace
 
+const char* DxfLineTypeName(DxfLineType type) {
+  switch (type) {
+    case DxfLineType::kContinuous:
+      return "Continuous";
+    case DxfLineType::kHidden:
+      return "HIDDEN";
+    case DxfLineType::kCenter:
+      return "CENTER";
+    case DxfLineType::kDotted:
+      return "DOT";
+  }
+  return "";
+}
+
 DxfLayerPlan PlanDxfLayers(const DrawingGraph& graph, const DxfOptions& options) {
   const std::vector<DxfLayer> of_links = LayersOfLinks(graph, options.layers);
   const std::vector<DxfLayer> of_faces = LayersOfFaces(graph, options.layers);
-  std::map<std::string, int> colors;
-  for (const DxfLayer& layer : of_links) colors[layer.name] = layer.color;
-  for (const DxfLayer& layer : of_faces) colors[layer.name] = layer.color;
+  std::map<std::string, DxfLayer> named;
+  for (const DxfLayer& layer : of_links) named[layer.name] = layer;
+  for (const DxfLayer& layer : of_faces) named[layer.name] = layer;
   DxfLayerPlan plan;
   std::map<std::string, int> index;
-  for (const auto& [name, color] : colors) {
+  for (const auto& [name, layer] : named) {
     index[name] = static_cast<int>(plan.layers.size());
-    plan.layers.push_back({name, color});
+    plan.layers.push_back(layer);
   }
   for (const DxfLayer& layer : of_links) plan.of_link.push_back(index.at(layer.name));
   for (const DxfLayer& layer : of_faces) plan.of_face.push_back(index.at(layer.name));
@@ -120,18 +146,23 @@ DxfLayerPlan PlanDxfLayers(const DrawingGraph& graph, const DxfOptions& options)
     plan.of_junctions = static_cast<int>(plan.layers.size());
     plan.layers.push_back({"junctions", kForeground});
   }
-  const auto add_if = [&](bool is_needed, const char* name, int color) {
+  const auto add_if = [&](bool is_needed, const DxfLayer& layer) {
     if (!is_needed) return -1;
-    plan.layers.push_back({name, color});
+    plan.layers.push_back(layer);
     return static_cast<int>(plan.layers.size()) - 1;
   };
-  add_if(!graph.dimensions.empty(), kDxfDimensionLayer, kForeground);
+  add_if(!graph.dimensions.empty(),
+         {kDxfDimensionLayer, kForeground, DxfLineType::kContinuous, kThin});
   if (options.plan) {
     constexpr int kLightGray = 9;
-    plan.of_hidden = add_if(!options.plan->hidden.empty(), "hidden", kLightGray);
+    plan.of_hidden = add_if(!options.plan->hidden.graph.links.empty(),
+                            {"hidden", kLightGray, DxfLineType::kHidden, kThin});
     const Section& section = options.plan->section;
-    plan.of_section = add_if(!section.lines.empty(), "section", kForeground);
-    plan.of_section_points = add_if(!section.points.empty(), "section_points", kForeground);
+    plan.of_section = add_if(!section.lines.empty(),
+                             {"section", kForeground, DxfLineType::kContinuous, kSectionWeight});
+    plan.of_section_points =
+        add_if(!section.points.empty(),
+               {"section_points", kForeground, DxfLineType::kContinuous, kSectionWeight});
   }
   return plan;
 }

@@ -10,9 +10,17 @@ namespace limn {
 
 constexpr const char* kDxfDimensionLayer = "dimensions";
 
+enum class DxfLineType { kContinuous, kHidden, kCenter, kDotted };
+
+// "Continuous", "HIDDEN", "CENTER", "DOT".
+const char* DxfLineTypeName(DxfLineType type);
+
 struct DxfLayer {
   std::string name;
   int color = 7;  // AutoCAD's color index
+  DxfLineType line_type = DxfLineType::kContinuous;
+  // Hundredths of a millimeter, one of AutoCAD's.
+  int line_weight = 25;
 };
 
 // The nonempty layers, and the layer of every link, of every face and of the junctions.

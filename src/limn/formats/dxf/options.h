@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "limn/formats/dimension_lines.h"
-#include "limn/geometry/polyline.h"
+#include "limn/formats/dxf/layout.h"
+#include "limn/formats/svg/svg_drawing_writer.h"
 #include "limn/plans/section.h"
 
 namespace limn {
@@ -27,17 +28,19 @@ enum class DxfLayers {
 
 // What a flat drawing (flat_drawing.h) shows besides its links, in its coordinates.
 struct DxfPlan {
-  // Hidden parts, on the layer "hidden".
-  std::vector<Polyline3d> hidden;
+  // Of the links that are written.
+  std::vector<std::optional<EllipticalArc>> ellipses;
+  // On the layer "hidden".
+  FlatLinks hidden;
   // On the layers "section" (closed or open polylines) and "section_points".
   Section section;
   // True lengths of the drawing's dimensions.
   std::vector<double> lengths;
-  double text_height = 1;
+  DxfLayout layout;
 };
 
 struct DxfOptions {
-  DxfLayers layers = DxfLayers::kClass;
+  DxfLayers layers = DxfLayers::kKind;
   // Junctions as points, on a layer "junctions".
   bool junctions = true;
   std::optional<DxfPlan> plan;

@@ -1,6 +1,7 @@
 #include "limn/formats/dxf/tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -89,14 +90,33 @@ void TableWriter::Viewport(const Eigen::AlignedBox3d& extent) {
 }
 
 void TableWriter::LineTypes() {
-  Begin("LTYPE", 3);
-  for (const char* name : {"ByBlock", "ByLayer", "Continuous"}) {
+  // Lengths of dashes, of gaps negative, millimeters of paper; 0: a dot.
+  struct LineType {
+    const char* name;
+    std::vector<double> pattern;
+  };
+  const std::vector<LineType> types = {
+      {"ByBlock", {}},
+      {"ByLayer", {}},
+      {DxfLineTypeName(DxfLineType::kContinuous), {}},
+      {DxfLineTypeName(DxfLineType::kHidden), {3, -1.5}},
+      {DxfLineTypeName(DxfLineType::kCenter), {12, -2, 2, -2}},
+      {DxfLineTypeName(DxfLineType::kDotted), {0, -1.5}},
+  };
+  Begin("LTYPE", types.size());
+  for (const auto& [name, pattern] : types) {
     Entry("LTYPE", "AcDbLinetypeTableRecord", name);
     Flags(0);
     writer_.Put(3, "");
     writer_.Put(72, 65);
-    writer_.Put(73, 0);
-    writer_.Put(40, 0.0);
+    writer_.Put(73, static_cast<int>(pattern.size()));
+    double length = 0;
+    for (const double part : pattern) length += std::abs(part);
+    writer_.Put(40, length);
+    for (const double part : pattern) {
+      writer_.Put(49, part);
+      writer_.Put(74, 0);
+    }
   }
   End();
 }
@@ -107,9 +127,10 @@ void TableWriter::Layers(const std::vector<DxfLayer>& layers) {
     Entry("LAYER", "AcDbLayerTableRecord", layer.name);
     Flags(0);
     writer_.Put(62, layer.color);
-    writer_.Put(6, "Continuous");
+    writer_.Put(6, DxfLineTypeName(layer.line_type));
+    writer_.Put(370, layer.line_weight);
   };
-  put({"0", 7});
+  put({"0"});
   for (const DxfLayer& layer : layers) put(layer);
   End();
 }
@@ -162,9 +183,14 @@ void TableWriter::DimensionStyles(const DxfDimensions& dimensions) {
 
 DxfSpaces TableWriter::BlockRecords(size_t num_dimensions) {
   DxfSpaces spaces;
+  DxfLayoutRecords& records = spaces.records;
+  records.model_layout = (*next_handle_)++;
+  records.paper_layout = (*next_handle_)++;
   Begin("BLOCK_RECORD", 2 + num_dimensions);
-  spaces.model = Entry("BLOCK_RECORD", "AcDbBlockTableRecord", kModelSpace);
-  spaces.paper = Entry("BLOCK_RECORD", "AcDbBlockTableRecord", kPaperSpace);
+  records.model = Entry("BLOCK_RECORD", "AcDbBlockTableRecord", kModelSpace);
+  writer_.PutHandle(340, records.model_layout);
+  records.paper = Entry("BLOCK_RECORD", "AcDbBlockTableRecord", kPaperSpace);
+  writer_.PutHandle(340, records.paper_layout);
   for (size_t i = 0; i < num_dimensions; ++i) {
     spaces.dimensions.push_back(
         Entry("BLOCK_RECORD", "AcDbBlockTableRecord", DimensionBlockName(i)));
@@ -226,8 +252,8 @@ void PutDxfBlocks(const DxfSpaces& spaces, const DxfDimensions& dimensions, int*
                   DxfWriter* writer) {
   constexpr int kAnonymous = 1;
   writer->BeginSection("BLOCKS");
-  PutBlock({kModelSpace, spaces.model}, next_handle, writer);
-  PutBlock({kPaperSpace, spaces.paper, /*is_paper=*/true}, next_handle, writer);
+  PutBlock({kModelSpace, spaces.records.model}, next_handle, writer);
+  PutBlock({kPaperSpace, spaces.records.paper, /*is_paper=*/true}, next_handle, writer);
   for (size_t i = 0; i < dimensions.all.size(); ++i) {
     const int record = spaces.dimensions[i];
     PutBlock({DimensionBlockName(i), record, false, kAnonymous,
@@ -240,9 +266,11 @@ void PutDxfBlocks(const DxfSpaces& spaces, const DxfDimensions& dimensions, int*
   writer->EndSection();
 }
 
-void PutDxfObjects(int* next_handle, DxfWriter* writer) {
+void PutDxfObjects(const DxfLayoutRecords& records, const std::optional<DxfLayout>& layout,
+                   const Eigen::AlignedBox3d& extent, int* next_handle, DxfWriter* writer) {
   const int root = (*next_handle)++;
   const int groups = (*next_handle)++;
+  const int layouts = (*next_handle)++;
   const auto begin = [&](int handle, int owner) {
     writer->Put(0, "DICTIONARY");
     writer->PutHandle(5, handle);
@@ -254,7 +282,10 @@ void PutDxfObjects(int* next_handle, DxfWriter* writer) {
   begin(root, 0);
   writer->Put(3, "ACAD_GROUP");
   writer->PutHandle(350, groups);
+  writer->Put(3, "ACAD_LAYOUT");
+  writer->PutHandle(350, layouts);
   begin(groups, root);
+  PutDxfLayouts(layout, extent, records, root, layouts, writer);
   writer->EndSection();
 }
 

@@ -1,20 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "limn/formats/dxf/dimensions.h"
 #include "limn/formats/dxf/layers.h"
+#include "limn/formats/dxf/layout.h"
 #include "limn/formats/dxf/writer.h"
 
 namespace limn {
 
-// The block records that own the entities of model and paper space.
 struct DxfSpaces {
-  int model = 0;
-  int paper = 0;
-  // Of the pictures of dimensions.
+  DxfLayoutRecords records;
+  // Block records of the pictures of dimensions.
   std::vector<int> dimensions;
 };
 
@@ -30,9 +30,10 @@ DxfSpaces PutDxfTables(const std::vector<DxfLayer>& layers, const Eigen::Aligned
                        const DxfDimensions& dimensions, int* next_handle, DxfWriter* writer);
 
 // The sections BLOCKS and OBJECTS, with the empty blocks of the two spaces, the pictures of
-// dimensions, and the dictionary that every file must have.
+// dimensions, the dictionary that every file must have, and the layouts of the spaces.
 void PutDxfBlocks(const DxfSpaces& spaces, const DxfDimensions& dimensions, int* next_handle,
                   DxfWriter* writer);
-void PutDxfObjects(int* next_handle, DxfWriter* writer);
+void PutDxfObjects(const DxfLayoutRecords& records, const std::optional<DxfLayout>& layout,
+                   const Eigen::AlignedBox3d& extent, int* next_handle, DxfWriter* writer);
 
 }  // namespace limn

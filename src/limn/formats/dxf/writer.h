@@ -15,6 +15,7 @@ class DxfWriter {
   void BeginSection(const char* name);
   void EndSection();
 
+  // UTF-8; what is not ASCII is written as "\U+00E4".
   void Put(int code, const std::string& text);
   void Put(int code, int value);
   // The shortest text that reads back as the same number, always with a decimal point.

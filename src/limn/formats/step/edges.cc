@@ -58,7 +58,7 @@ StepEdges MakeStepEdges(const DrawingGraph& graph, const std::vector<DrawingPath
   for (const DrawingPath& path : paths) {
     for (const PathStep& step : path) {
       const DrawingLink& link = graph.links[step.link];
-      const std::string name = StepNameOf(link, step.link);
+      const std::string name = StepNameOf(link, NumberOfLink(graph, step.link));
       try {
         edges.of_link[step.link] =
             MakeEdge(link, name, vertices[link.node0], vertices[link.node1], step.reversed);

@@ -154,7 +154,7 @@ void AddRods(const DrawingGraph& graph, const StepRods& rods, ProductModel* prod
   const handle<Transfer_FinderProcess> made = new Transfer_FinderProcess;
   const auto make = [&](const LabeledShape& tube) {
     const TopoDSToStep_MakeManifoldSolidBrep solid(TopoDS::Solid(tube.shape), made);
-    solid.Value()->SetName(Text(StepNameOf(graph.links[tube.id], tube.id)));
+    solid.Value()->SetName(Text(StepNameOf(graph.links[tube.id], NumberOfLink(graph, tube.id))));
     return solid.Value();
   };
   products->Add("rods",
@@ -183,7 +183,7 @@ void AddShells(const DrawingGraph& graph, const StepShells& shells, ProductModel
     Name(made, face.shape, "face_" + std::to_string(face.id));
   }
   for (const LabeledShape& edge : shells.edges) {
-    Name(made, edge.shape, StepNameOf(graph.links[edge.id], edge.id));
+    Name(made, edge.shape, StepNameOf(graph.links[edge.id], NumberOfLink(graph, edge.id)));
   }
 }
 

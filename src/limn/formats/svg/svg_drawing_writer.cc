@@ -163,8 +163,8 @@ class SvgWriter {
 
   void PutLink(size_t id, const LinkPath& path, bool shows_hidden) {
     const DrawingLink& link = graph_.links[id];
-    out_ << (shows_hidden ? "<g" : "<path") << " id=\"link_" << id << "\" class=\""
-         << (link.primitive ? ShapeName(link.primitive->shape) : "polyline");
+    out_ << (shows_hidden ? "<g" : "<path") << " id=\"link_" << NumberOfLink(graph_, id)
+         << "\" class=\"" << (link.primitive ? ShapeName(link.primitive->shape) : "polyline");
     if (link.dense) out_ << ' ' << DenseClassName(link.dense->dense_class);
     if (link.kind != LinkKind::kUnknown) out_ << " kind-" << LinkKindName(link.kind);
     if (link.tentative) out_ << " tentative";
@@ -198,8 +198,9 @@ class SvgWriter {
       if (node.kind != NodeKind::kJunction || !IsSeen(node)) continue;
       const auto place = picture_.place_of(node.position_in_world);
       if (!place) continue;
-      out_ << "<circle id=\"node_" << id << "\" cx=\"" << SvgNumber(place->x(), picture_.decimals)
-           << "\" cy=\"" << SvgNumber(place->y(), picture_.decimals) << "\" r=\""
+      out_ << "<circle id=\"node_" << NumberOfNode(graph_, id) << "\" cx=\""
+           << SvgNumber(place->x(), picture_.decimals) << "\" cy=\""
+           << SvgNumber(place->y(), picture_.decimals) << "\" r=\""
            << Pixels(options_.junction_radius_px) << "\"/>\n";
     }
     out_ << "</g>\n";

@@ -1,12 +1,16 @@
 // Lengths written into the picture: those of drawing.json and those that edits add.
 
 import { make } from './dom.js';
-import { number } from './format.js';
+import { measured } from './format.js';
+import { sigmaBetween } from './uncertainty.js';
 import { joined, WideLines } from './wide_lines.js';
 
 const WIDTH_PX = 1.6;
 
-export const distanceOf = ({ from, to }) => from.distanceTo(to);
+// Its length, with its standard deviation.
+export function lengthText(drawing, { from, to }) {
+  return measured(from.distanceTo(to), sigmaBetween(drawing, from, to));
+}
 
 // {from, to, shift} of each dimension of the payload.
 export function storedDimensions(values, vectorAt) {
@@ -26,8 +30,8 @@ function polylines({ from, to, shift }) {
 }
 
 export class Dimensions {
-  constructor(eye, scene, marks) {
-    Object.assign(this, { eye, marks });
+  constructor(drawing, eye, scene, marks) {
+    Object.assign(this, { drawing, eye, marks });
     this.lines = new WideLines({ width: WIDTH_PX, depthTest: false, renderOrder: 3 }, scene);
     this.lines.visible = false;
     this.list = [];
@@ -44,7 +48,7 @@ export class Dimensions {
     if (list.length > 0) this.lines.setLines(joined(list.flatMap(polylines)));
     this.labels.forEach((label) => label.remove());
     this.labels = list.map((dimension) =>
-      make('div', { class: 'dimension' }, number(distanceOf(dimension))),
+      make('div', { class: 'dimension' }, lengthText(this.drawing, dimension)),
     );
     this.marks.append(...this.labels);
   }

@@ -99,6 +99,7 @@ export class Drawing {
     this.title = header.title;
     this.center = header.center;
     this.unit = header.unit;
+    this.scaleSigma = header.scaleSigma; // relative
     this.zIsUp = header.zIsUp;
     this.stamp = header.drawing; // {name, fingerprint} of the file, texts that may be empty
     this.shownFromModel = header.shownFromModel;
@@ -312,6 +313,7 @@ export class Drawing {
 
   appendNode(position) {
     this.nodePositions = grown(this.nodePositions, position.slice(0, 3));
+    this.nodeCovariances = grown(this.nodeCovariances, new Float32Array(9));
     this.nodeKind = grown(this.nodeKind, [0]);
     return this.numNodes++;
   }

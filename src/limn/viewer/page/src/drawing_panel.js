@@ -3,7 +3,7 @@
 import { css } from './colors.js';
 import { facts, make } from './dom.js';
 import { DETAILS, JUNCTION } from './drawing.js';
-import { coordinates, count, number, percent } from './format.js';
+import { coordinates, count, measured, number, percent } from './format.js';
 
 const DETAIL_TEXTS = {
   coarse: 'long curves only',
@@ -60,7 +60,7 @@ function categoryLegend({ entries }, onToggle) {
 
 function measurement(drawing, result) {
   if (!result) return [];
-  const { from, to, delta, distance } = result;
+  const { from, to, delta, distance, sigma } = result;
   const step = 1e-5 * drawing.radius;
   const at = ({ position, node, link }) => {
     const what = node !== undefined ? `node ${node}` : `link ${link}`;
@@ -69,7 +69,7 @@ function measurement(drawing, result) {
   return [
     make('h2', {}, `Measured, ${drawing.unit}`),
     facts([
-      ['Distance', number(distance)],
+      ['Distance', measured(distance, sigma)],
       ['dx', number(delta.x)],
       ['dy', number(delta.y)],
       ['dz', number(delta.z)],

@@ -31,7 +31,7 @@ export class Editor {
     this.pointing = this.makePointing();
     const labels = make('div');
     marks.append(labels);
-    this.dimensions = new Dimensions(eye, stage.near, labels);
+    this.dimensions = new Dimensions(drawing, eye, stage.near, labels);
     this.commands = editCommands(this);
     this.panel = new EditsPanel(
       drawing,

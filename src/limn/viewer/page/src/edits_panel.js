@@ -1,7 +1,7 @@
 // The tab "Edit".
 
 import { make } from './dom.js';
-import { distanceOf } from './dimensions.js';
+import { lengthText } from './dimensions.js';
 import { KINDS_TO_SET, LINK_KINDS } from './drawing.js';
 import { textOf } from './edits.js';
 import { count, number } from './format.js';
@@ -166,7 +166,7 @@ export class EditsPanel {
   // [{from, to, onRemove}]
   showLengths(lengths) {
     const rows = lengths.map((length) => {
-      const text = `${number(distanceOf(length))} ${this.drawing.unit}`;
+      const text = `${lengthText(this.drawing, length)} ${this.drawing.unit}`;
       const remove = make(
         'button',
         { type: 'button', 'aria-label': `Remove the length ${text}`, onclick: length.onRemove },

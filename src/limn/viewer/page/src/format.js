@@ -9,6 +9,14 @@ export function number(value, digits = 6) {
   return String(Number(value.toPrecision(digits)));
 }
 
+// A number and its standard deviation, to two digits of this: "2.4034 ± 0.0021".
+export function measured(value, sigma) {
+  if (!(sigma > 0) || !Number.isFinite(sigma)) return number(value);
+  const decimals = Math.ceil(1 - Math.log10(sigma));
+  if (decimals < 0 || decimals > 12) return `${number(value)} ± ${number(sigma, 2)}`;
+  return `${value.toFixed(decimals)} ± ${sigma.toFixed(decimals)}`;
+}
+
 export function count(value) {
   return value.toLocaleString('en');
 }

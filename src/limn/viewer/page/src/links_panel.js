@@ -2,7 +2,8 @@
 
 import { facts, make } from './dom.js';
 import { BODY_SHAPES, DENSE_CLASSES, LINK_KINDS, NODE_KINDS, PRIMITIVES, ROD } from './drawing.js';
-import { count, degrees, number, percent } from './format.js';
+import { count, degrees, measured, number, percent } from './format.js';
+import { sigmaOfLink } from './uncertainty.js';
 
 const PAGE = 100;
 
@@ -63,7 +64,7 @@ function bodyText(drawing, link) {
 function linkFacts(drawing, link) {
   const added = drawing.hasClasses ? percent(drawing.denseAdded[link]) : null;
   return facts([
-    [`Length, ${drawing.unit}`, number(drawing.linkLength[link])],
+    [`Length, ${drawing.unit}`, measured(drawing.linkLength[link], sigmaOfLink(drawing, link))],
     ['Primitive', primitiveText(drawing, link)],
     ['Its fit', primitiveFit(drawing, link)],
     ['Residual', `${number(drawing.linkResidual[link], 3)} px`],

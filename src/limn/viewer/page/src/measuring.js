@@ -3,7 +3,8 @@
 import { Vector3 } from 'three';
 
 import { make } from './dom.js';
-import { number } from './format.js';
+import { measured } from './format.js';
+import { sigmaBetween } from './uncertainty.js';
 import { joined, WideLines } from './wide_lines.js';
 
 const WIDTH_PX = 2.5;
@@ -46,17 +47,18 @@ export class Measuring {
     this.points = points;
     this.line.visible = points.length === 2;
     if (points.length === 2) {
+      this.sigma = sigmaBetween(this.drawing, points[0].position, points[1].position);
       this.line.setLines(joined([points.map(({ position }) => position.toArray())]));
     }
     this.onChange();
   }
 
-  // {from, to, delta, distance} in the model's units, or null.
+  // {from, to, delta, distance, sigma} in the model's units, or null.
   result() {
     if (this.points.length < 2) return null;
     const [from, to] = this.points;
     const delta = new Vector3().subVectors(to.position, from.position);
-    return { from, to, delta, distance: delta.length() };
+    return { from, to, delta, distance: delta.length(), sigma: this.sigma };
   }
 
   // Before every frame: the marks on the screen.
@@ -77,10 +79,10 @@ export class Measuring {
     return mark;
   }
 
-  label({ from, to, distance }) {
+  label({ from, to, distance, sigma }) {
     const place = this.eye.screen(from.position.clone().lerp(to.position, 0.5));
     if (!place) return null;
-    const label = make('div', { class: 'distance' }, number(distance));
+    const label = make('div', { class: 'distance' }, measured(distance, sigma));
     label.style.left = `${place.x}px`;
     label.style.top = `${place.y}px`;
     return label;
