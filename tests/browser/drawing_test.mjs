@@ -164,7 +164,13 @@ test('picking a link tells its figures, and its views lead there', () =>
       assert.equal(await page.locator('#link-details h2').first().textContent(), `Link ${link}`);
       const facts = await factsOf(page, '#link-details');
       const { length, residual, sigma, views } = expected.links[link];
-      assert.ok(Math.abs(Number(facts['Length, model units']) - length) < 1e-5 * length);
+      const [value, of] = facts['Length, model units'].split(' ± ').map(Number);
+      assert.ok(Math.abs(value - length) < 1e-3 * length);
+      // The circle, 12, by its radius.
+      if (link === 12) {
+        const variance = (2 * Math.PI * sigma) ** 2 + (expected.scaleSigma * length) ** 2;
+        assert.ok(Math.abs(of - Math.sqrt(variance)) < 0.02 * of);
+      }
       assert.equal(facts.Residual, `${Number(residual.toPrecision(3))} px`);
       assert.ok(Math.abs(Number(facts['Sigma (median)']) - sigma) < 1e-3 * sigma);
       assert.equal(facts.Class, expected.links[link].class);
@@ -228,7 +234,14 @@ test('measuring between two junctions snaps to them and tells the true distance'
       }
       const facts = await factsOf(page, '#measured');
       const delta = expected.nodes[to].map((value, axis) => value - expected.nodes[from][axis]);
-      assert.ok(Math.abs(Number(facts.Distance) - Math.hypot(...delta)) < 1e-5);
+      const length = Math.hypot(...delta);
+      const [distance, sigma] = facts.Distance.split(' ± ').map(Number);
+      assert.ok(Math.abs(distance - length) < 1e-4);
+      const variances = delta.map((d, axis) => 2 * ((d / length) * expected.nodeSigmas[axis]) ** 2);
+      const ofNodes = variances.reduce((sum, variance) => sum + variance, 0);
+      assert.ok(
+        Math.abs(sigma - Math.hypot(Math.sqrt(ofNodes), expected.scaleSigma * length)) < 1e-4,
+      );
       ['dx', 'dy', 'dz'].forEach((name, axis) =>
         assert.ok(Math.abs(Number(facts[name]) - delta[axis]) < 1e-5, name),
       );
@@ -253,7 +266,8 @@ test('measuring snaps to points of curves', () =>
     assert.match(facts.From, /link 12\)/);
     // The corner of the cube and the circle are in the same plane.
     assert.ok(Math.abs(Number(facts.dz)) < 1e-4);
-    const distance = Number(facts.Distance);
+    const [distance, sigma] = facts.Distance.split(' ± ').map(Number);
+    assert.ok(sigma > 0.01); // of the circle
     assert.ok(distance > Math.SQRT2 - 0.56 && distance < Math.SQRT2 + 0.56);
   }));
 

@@ -21,6 +21,9 @@ constexpr int kSegmentsPerEdge = 8;
 constexpr int kSegmentsOfCircle = 96;
 constexpr int kNumViews = 6;
 constexpr double kPi = 3.14159265358979323846;
+// Of nodes along the axes, and of the scale.
+const Eigen::Vector3d kNodeSigmas(0.002, 0.003, 0.004);
+constexpr double kScaleSigma = 0.001;
 
 DrawingLink MakeLink(std::vector<Eigen::Vector3d> points, NodeId node0, NodeId node1) {
   DrawingLink link;
@@ -132,6 +135,10 @@ ViewerScene WireScene() {
   AddCube(&scene.graph);
   AddCircle(&scene.graph);
   for (size_t id = 0; id < scene.graph.links.size(); ++id) SetFigures(id, &scene.graph.links[id]);
+  for (DrawingNode& node : scene.graph.nodes) {
+    node.covariance = kNodeSigmas.cwiseAbs2().asDiagonal();
+  }
+  scene.scale_sigma = kScaleSigma;
   RebuildIncidence(&scene.graph);
   AddViews(&scene);
   for (int i = 0; i < 500; ++i) {
@@ -154,6 +161,8 @@ ViewerScene WireScene() {
 
 Json Expectations(const ViewerScene& scene) {
   Json json = {{"links", Json::array()}, {"nodes", Json::array()}, {"views", Json::array()}};
+  json["nodeSigmas"] = ToJson(kNodeSigmas);
+  json["scaleSigma"] = kScaleSigma;
   for (const DrawingLink& link : scene.graph.links) {
     json["links"].push_back({{"length", Length(link.points_in_world)},
                              {"residual", link.residual_px},

@@ -80,7 +80,7 @@ TEST_F(NodeCovarianceTest, TheDepthIsKnownAsItsViewsSay) {
   DrawLink({{0, 0, 0}, {0, 0.5, 0}, {0, 1, 0}}, {0, 1}, &graph_);
   graph_.links.back().sigma.assign(3, kSigma);
   const Eigen::Vector3d sigmas = Measure();
-  EXPECT_GT(sigmas.z(), 10 * sigmas.x());
+  EXPECT_GT(sigmas.z(), 5 * sigmas.x());
 }
 
 }  // namespace

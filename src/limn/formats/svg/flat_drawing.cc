@@ -202,6 +202,12 @@ class Flattener {
     if (at_start == at_end) {
       return Moved(std::move(curve), {1, Eigen::Matrix3d::Identity(), at_start});
     }
+    if (link.primitive && std::holds_alternative<LineSegment>(link.primitive->shape)) {
+      const auto at = [&](double share) -> Eigen::Vector3d {
+        return after.from + share * (after.to - after.from);
+      };
+      return {{at(begin), at(end)}, LineSegment{at(begin), at(end)}, std::nullopt};
+    }
     if ((before.to - before.from).norm() >= kLeastChord * Length(Flat(link.points_in_world))) {
       return Moved(std::move(curve), Between(before, after));
     }

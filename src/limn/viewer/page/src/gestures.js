@@ -34,9 +34,10 @@ export function watchTaps(canvas, on) {
     const isTouch = event.pointerType === 'touch';
     const isDouble =
       previous &&
+      previous.withShift === event.shiftKey &&
       event.timeStamp - previous.time < DOUBLE_MS &&
       Math.hypot(x - previous.x, y - previous.y) < DOUBLE_PX;
-    previous = isDouble ? null : { x, y, time: event.timeStamp };
+    previous = isDouble ? null : { x, y, time: event.timeStamp, withShift: event.shiftKey };
     (isDouble ? on.doubleTap : on.tap)(x, y, isTouch, event.shiftKey);
   });
   canvas.addEventListener('pointermove', (event) => {
