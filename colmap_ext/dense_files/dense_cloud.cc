@@ -131,6 +131,7 @@ DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<Vie
       point.position = from.position;
       point.normal = UnitOrZero(from.normal);
       point.color = from.color;
+      point.quality = from.quality;
       if (seen_by) point.views = seen_by->Next();
       visit(point);
     };
@@ -167,6 +168,7 @@ DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<V
     ReadPatchFile(path.string(), [&](const Patch& patch) {
       point.position = patch.position;
       point.normal = UnitOrZero(patch.normal);
+      point.quality = patch.photometric_score;
       if (index < colors->size()) point.color = (*colors)[index];
       ++index;
       point.views.clear();

@@ -1,6 +1,7 @@
 #include "colmap_ext/dense_files/pmvs_with_curves.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 #include "colmap_ext/dense_files/patch_file.h"
@@ -17,7 +18,7 @@ std::vector<Patch> CurvePatches(const std::vector<CurvePoint>& points,
     Patch patch;
     patch.position = point.position;
     patch.normal = point.Outward(views);
-    patch.photometric_score = 1;
+    patch.photometric_score = kCurveScore;
     for (const ViewId view : point.views) {
       if (numbers[view] >= 0) patch.images.push_back(numbers[view]);
     }
@@ -26,13 +27,32 @@ std::vector<Patch> CurvePatches(const std::vector<CurvePoint>& points,
   return patches;
 }
 
-void PutLine(const Eigen::Vector3d& position, const Eigen::Vector3d& normal,
-             const std::array<uint8_t, 3>& color, std::ostream& out) {
-  for (const Eigen::Vector3d& vector : {position, normal}) {
+// Of patches of curves, of which PMVS has no score.
+constexpr double kCurveScore = 1;
+
+// Colors by the names that most programs know, and by PMVS's.
+constexpr const char* kVertexProperties =
+    "property float x\nproperty float y\nproperty float z\n"
+    "property float nx\nproperty float ny\nproperty float nz\n"
+    "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+    "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n"
+    "property float quality\n";
+
+void PutLine(const DensePoint& point, std::ostream& out) {
+  for (const Eigen::Vector3d& vector : {point.position, point.normal}) {
     for (const double value : vector) out << NumberText(value) << ' ';
   }
-  out << static_cast<int>(color[0]) << ' ' << static_cast<int>(color[1]) << ' '
-      << static_cast<int>(color[2]) << '\n';
+  for (int i = 0; i < 2; ++i) {
+    for (const uint8_t value : point.color) out << static_cast<int>(value) << ' ';
+  }
+  out << NumberText(point.quality) << '\n';
+}
+
+// Without those that are left out.
+uint64_t CountPoints(const DenseCloud& cloud) {
+  uint64_t count = 0;
+  cloud.points([&](const DensePoint&) { ++count; });
+  return count;
 }
 
 }  // namespace
@@ -52,15 +72,16 @@ void WritePmvsWithCurves(const OutputPath& base, const std::vector<std::filesyst
     std::for_each(of_curves.begin(), of_curves.end(), write);
   });
   WriteFileAtomically(base + ".ply", [&](std::ostream& out) {
-    out << "ply\nformat ascii 1.0\nelement vertex " << cloud.num_points + points.size()
-        << "\nproperty float x\nproperty float y\nproperty float z\n"
-           "property float nx\nproperty float ny\nproperty float nz\n"
-           "property uchar diffuse_red\nproperty uchar diffuse_green\n"
-           "property uchar diffuse_blue\nend_header\n";
-    cloud.points(
-        [&](const DensePoint& point) { PutLine(point.position, point.normal, point.color, out); });
+    out << "ply\nformat ascii 1.0\nelement vertex " << CountPoints(cloud) + points.size() << '\n'
+        << kVertexProperties << "end_header\n";
+    cloud.points([&](const DensePoint& point) { PutLine(point, out); });
     for (const CurvePoint& point : points) {
-      PutLine(point.position, point.Outward(views), point.color, out);
+      DensePoint dense;
+      dense.position = point.position;
+      dense.normal = point.Outward(views);
+      dense.color = point.color;
+      dense.quality = kCurveScore;
+      PutLine(dense, out);
     }
   });
 }

@@ -12,7 +12,8 @@ namespace limn::colmap_ext {
 
 // Writes, for PMVS's tools: <base>.patch, the patches of `files` if these are .patch files, then
 // one oriented patch per sample of the curves with the images that see it (see PmvsNumbers); and
-// <base>.ply, all points of these files (opened as `cloud`) and of the curves in PMVS's PLY format.
+// <base>.ply, all points of these files (opened as `cloud`) and of the curves in PMVS's PLY format,
+// with its `quality`, and its colors also as `red`, `green`, `blue`, which other programs read.
 // Throws IoError.
 void WritePmvsWithCurves(const OutputPath& base, const std::vector<std::filesystem::path>& files,
                          const DenseCloud& cloud, const std::vector<CurvePoint>& points,

@@ -1,7 +1,5 @@
 #include "colmap_ext/verbs/drawing_verb.h"
 
-#include "colmap_ext/verbs/drawing_input.h"
-
 namespace limn::colmap_ext {
 
 std::string DrawingVerb::Provenance(const RunOptions& options, const std::string& before) const {
@@ -35,15 +33,16 @@ void DrawingVerb::Write(const Job& job, const Project& project, const DrawingInS
 }
 
 std::vector<std::string> DrawingVerb::StartsFrom(const RunOptions&) const {
-  return DrawingsToStartFrom(DrawingChoice::kUnfused, drawing_path_);
+  return DrawingsToStartFrom(Start(), drawing_path_);
 }
 
 void DrawingVerb::Run(const Project& project, const RunOptions& options, Console* console) {
   CheckFiles(project, options);
-  const std::string path = !drawing_path_.empty()
-                               ? drawing_path_
-                               : FindDrawing(project.layout().output.drawing_dir,
-                                             DrawingChoice::kUnfused, "drawing_path");
+  const bool is_named = !drawing_path_.empty();
+  const std::string path =
+      is_named ? drawing_path_
+               : FindDrawing(project.layout().output.drawing_dir, Start(), "drawing_path");
+  if (!is_named && Start() == DrawingChoice::kNewest) console->Say("drawing: " + path);
   const DrawingInScene given = ReadDrawingInScene(project, path);
   const std::string provenance = Provenance(options, given.metadata.options_json);
   CheckReplaces(project, options, provenance);

@@ -16,6 +16,7 @@ struct DensePoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit; zero = unknown
   std::array<uint8_t, 3> color = {};
+  double quality = 0;  // photometric score of PMVS; 0 = unknown
   // Views of the run that see it.
   std::vector<ViewId> views;
   bool views_known = false;

@@ -42,6 +42,7 @@ class PointReader {
       if (column_[k] < 0) column_[k] = Vertex().Find(std::string("diffuse_") + names[k]);
     }
     if (!Has(0)) throw IoError(path, "element vertex has no properties x, y, z");
+    quality_ = Vertex().Find("quality");
   }
 
   PlyPointsInfo Info() const { return {Vertex().count, Has(3), Has(6)}; }
@@ -110,6 +111,7 @@ class PointReader {
   void Visit(const std::vector<double>& values, const char* unit, uint64_t place,
              const std::function<void(const PlyPoint&)>& visit) const {
     PlyPoint point;
+    if (quality_ >= 0 && std::isfinite(values[quality_])) point.quality = values[quality_];
     bool is_odd = false;
     for (int axis = 0; axis < 3; ++axis) {
       point.position[axis] = values[column_[axis]];
@@ -142,6 +144,7 @@ class PointReader {
   std::vector<size_t> offset_;
   size_t row_bytes_ = 0;
   int column_[9];
+  int quality_ = -1;
 };
 
 }  // namespace

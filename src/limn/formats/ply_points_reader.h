@@ -13,6 +13,7 @@ struct PlyPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // as in the file; zero if it has none
   std::array<uint8_t, 3> color = {};
+  double quality = 0;  // as PMVS writes it; 0 if the file has none, or no number
 };
 
 // Streams the vertices of a PLY file of any size: ascii or binary, colors named red or diffuse_red.

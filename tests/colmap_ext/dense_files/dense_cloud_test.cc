@@ -1,6 +1,8 @@
 #include "colmap_ext/dense_files/dense_cloud.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -252,6 +254,39 @@ TEST(PatchFile, ClustersAreOneCloudWithTheColorsBesideThem) {
   ReadPatchFile(merged + ".patch", [&](const Patch&) { ++count; });
   EXPECT_EQ(count, 3u);
   EXPECT_EQ(ReadPlyPointsInfo(merged + ".ply").count, 3u);
+}
+
+// As PMVS writes them; a point that is no place is left out.
+constexpr const char* kPmvsPly =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+    "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n"
+    "property float quality\nend_header\n"
+    "1 2 3 0 0 1 10 20 30 0.75\nnan 2 3 0 0 1 10 20 30 0.5\n4 5 6 0 1 0 40 50 60 0.25\n";
+
+TEST(PmvsWithCurves, KeepsPmvsAttributesAndColorsThatOthersRead) {
+  const TempDir dir;
+  const std::string path = dir.WriteFile("models/option-all.ply", kPmvsPly);
+  const DenseCloud cloud = OpenClouds({path}, ThreeViews(), 4);
+  CurvePoint of_curve;
+  of_curve.position = {7, 8, 9};
+  of_curve.color = {70, 80, 90};
+  of_curve.views = {0};
+  const std::string merged = (dir / "pmvs-with-curves").string();
+  WritePmvsWithCurves(merged, {path}, cloud, {of_curve}, ThreeViews());
+  std::vector<PlyPoint> points;
+  ReadPlyPoints(merged + ".ply", [&](const PlyPoint& point) { points.push_back(point); });
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[1].position, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(points[1].normal, Eigen::Vector3d(0, 1, 0));
+  EXPECT_EQ(points[1].quality, 0.25);
+  EXPECT_THAT(points[1].color, ElementsAre(40, 50, 60));
+  EXPECT_EQ(points[2].quality, 1);
+  std::ifstream in(merged + ".ply");
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  for (const char* name : {"uchar red\n", "uchar diffuse_red\n", "float quality\n"}) {
+    EXPECT_THAT(text, HasSubstr(name));
+  }
 }
 
 TEST(PatchFile, ImagesBeyondTheListAreTold) {

@@ -329,6 +329,43 @@ class Drawings(unittest.TestCase):
             with self.assertRaises(TypeError):
                 stage(None)
 
+    def test_measure(self):
+        link = max((link for link in self.drawing.links if link.primitive and link.primitive.type == "line"), key=lambda link: link.length)
+        in_model = limn.measure(self.drawing, f"link {link.id}")
+        self.assertEqual(in_model.unit, "none")
+        self.assertAlmostEqual(in_model.length, link.length, delta=0.01 * link.length)
+        self.assertGreater(in_model.sigma, 0)
+        nodes = [self.drawing.nodes[node] for node in (link.node0, link.node1)]
+        way = nodes[1].position - nodes[0].position
+        way /= np.linalg.norm(way)
+        variance = way @ (nodes[0].covariance + nodes[1].covariance) @ way
+        self.assertAlmostEqual(in_model.sigma, np.sqrt(variance), delta=0.05 * in_model.sigma)
+        between = limn.measure(self.drawing, f"from {link.node0} to {link.node1}")
+        self.assertAlmostEqual(between.length, in_model.length, delta=0.01 * link.length)
+
+        aligned = limn.align(self.drawing, [f"link {link.id} = {10 * in_model.length} m"])
+        self.assertAlmostEqual(aligned.alignment.scale_sigma, in_model.sigma / in_model.length, delta=1e-9)
+        in_world = limn.measure(aligned, f"link {link.id}")
+        self.assertEqual(in_world.unit, "m")
+        self.assertAlmostEqual(in_world.length, 10 * in_model.length, delta=1e-6)
+        # The scale is from the same length: its error once more.
+        self.assertAlmostEqual(in_world.sigma, np.sqrt(2) * 10 * in_model.sigma, delta=1e-6)
+        self.assertRegex(str(in_world), r"^\S+ \+- \S+ m$")
+
+        name = link.supporting_views[0]
+        track = link.tracks[name]
+        seen = track[np.isfinite(track).all(axis=1)]
+        ends = " to ".join(f"{name} {x + 0.5},{y + 0.5}" for x, y in (seen[0], seen[-1]))
+        clicked = limn.measure(self.drawing, ends)
+        self.assertAlmostEqual(clicked.length, np.linalg.norm(link.points[-1] - link.points[0]), delta=0.1 * link.length)
+        with self.assertRaisesRegex(limn.OptionError, "^measure: link one: must be like"):
+            limn.measure(self.drawing, "link one")
+        with self.assertRaisesRegex(limn.InputError, "no link 99999"):
+            limn.measure(self.drawing, "link 99999")
+        unknown = pickle.loads(pickle.dumps(self.drawing))
+        with self.assertRaisesRegex(limn.InputError, "pixels need the scene"):
+            limn.measure(unknown, ends)
+
     def test_pickled_alignment(self):
         aligned = limn.align(self.drawing)
         one, other = aligned.alignment, pickle.loads(pickle.dumps(aligned.alignment))
