@@ -11,6 +11,9 @@
 namespace limn::colmap_ext {
 namespace {
 
+// Of patches of curves, of which PMVS has no score.
+constexpr double kCurveScore = 1;
+
 std::vector<Patch> CurvePatches(const std::vector<CurvePoint>& points,
                                 const std::vector<View>& views, const std::vector<int>& numbers) {
   std::vector<Patch> patches;
@@ -26,9 +29,6 @@ std::vector<Patch> CurvePatches(const std::vector<CurvePoint>& points,
   }
   return patches;
 }
-
-// Of patches of curves, of which PMVS has no score.
-constexpr double kCurveScore = 1;
 
 // Colors by the names that most programs know, and by PMVS's.
 constexpr const char* kVertexProperties =

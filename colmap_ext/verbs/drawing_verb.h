@@ -39,8 +39,8 @@ class DrawingVerb : public Verb {
 
   std::vector<std::string> StartsFrom(const RunOptions& options) const override;
 
-  // Of the newest drawing in the output folder, or of that of --drawing_path; in the latter case the
-  // result must not replace another drawing.
+  // Of the newest drawing in the output folder, or of that of --drawing_path; in the latter case
+  // the result must not replace another drawing.
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 
  protected:
