@@ -197,6 +197,17 @@ TEST_F(Fusion, AsPmvsPatches) {
             ReadPlyPointsInfo(Path("fused.ply")).count + num_patches);
 }
 
+// Made last: drawing.json is newer then.
+TEST_F(Fusion, ClassesSurviveLaterCommands) {
+  const LimnRun run = RunLimn({"drawing_regularizer", "--workspace_path", Path(), "--overwrite", "1"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("drawing: " + Path("drawing-fused.json")));
+  const DrawingGraph graph = ReadDrawingJson(Path("drawing.json")).graph;
+  const auto num_classes = std::ranges::count_if(
+      graph.links, [](const DrawingLink& link) { return link.dense.has_value(); });
+  EXPECT_GT(num_classes, static_cast<std::ptrdiff_t>(graph.links.size()) / 2);
+}
+
 TEST_F(Fusion, BadInputIsToldInOneLine) {
   const auto refused = [](std::vector<std::string> arguments, const std::string& text) {
     arguments.insert(arguments.begin(),
