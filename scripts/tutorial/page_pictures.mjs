@@ -29,8 +29,12 @@ await take('02-model', async (page) => {
   await layer(page, 'cameras', true);
 });
 await take('04-page', async () => {}, openAtFirst);
-await take('05-report', (page) => tab(page, 'Report'));
+await take('05-report', async (page) => {
+  await layer(page, 'cameras', false);
+  await tab(page, 'Report');
+});
 await take('06-edit', async (page) => {
+  await layer(page, 'cameras', false);
   await page.locator('#toolbar button', { hasText: 'Edit' }).click();
   await page.locator('#pick-kind').selectOption('paint');
   await page.getByRole('button', { name: 'Select kind', exact: true }).click();
