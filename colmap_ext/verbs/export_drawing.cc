@@ -10,6 +10,7 @@
 #include "colmap_ext/verbs/limap_model.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/to_views.h"
+#include "limn/alignment/drawing_span.h"
 #include "limn/formats/ply_points_reader.h"
 #include "limn/formats/svg/svg_drawing_writer.h"
 #include "limn/util/errors.h"
@@ -225,6 +226,9 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
   if (FormatName(options) == kLimapFormat) return ExportLimap(std::move(drawing), options, console);
   DrawingMetadata& metadata = drawing.metadata;
   const FileFrame frame = FrameOf(options, metadata);
+  if (options.sigmas) {
+    MeasureDimensions(metadata.alignment ? metadata.alignment->scale_sigma : 0, &drawing.graph);
+  }
   const auto& [scale, rotation, translation] = frame.from_model;
   const std::vector<DrawingFace> faces = TransformedFaces(drawing.graph.faces, frame.from_model);
   DrawingGraph graph =
@@ -345,6 +349,8 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   AddFormatOptions(&format, parser);
   parser->AddOption("cloud_path", &cloud_path, "GLB: a cloud to go with it, .ply");
   svg.AddOptions(parser);
+  parser->AddOption("sigmas", &sigmas,
+                    "DXF and SVG: dimensions with \u00b1 their standard deviation");
   parser->AddOption("regularize", &regularize,
                     "DXF plans: lines that are level or plumb within their uncertainty are so");
   parser->AddOption("chains", &chains,

@@ -32,6 +32,8 @@ struct ExporterOptions {
   // In world coordinates, by the alignment of the drawing, instead of the model's.
   bool aligned = false;
   SvgSource svg;
+  // Dimensions with their standard deviations.
+  bool sigmas = false;
   // Of DXF plans (FlatOptions).
   bool regularize = true;
   // LIMAP: include links that are not straight.

@@ -357,6 +357,20 @@ double LengthOn(const json& read, const std::string& layer) {
   return length;
 }
 
+TEST(DrawingExporterDxf, DimensionsTellTheirStandardDeviation) {
+  DrawingGraph graph = MeasuredCube();
+  for (DrawingNode& node : graph.nodes) {
+    node.covariance = 0.002 * 0.002 * Eigen::Matrix3d::Identity();
+  }
+  const ExportedDrawing exported(graph);
+  exported.Export("d.dxf", {"--sigmas", "1", "--scale", "1000", "--unit", "mm"});
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSoundFile(read);
+  for (const json& dimension : EntitiesOn(read, "dimensions")) {
+    EXPECT_EQ(dimension.at("text"), "1000 \u00b1 2.8 mm");
+  }
+}
+
 TEST(DrawingExporterDxf, APlanIsOnASheetToScale) {
   Alignment alignment;
   alignment.world_from_model = {2, Eigen::Matrix3d::Identity(), {0, 0, 1}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <regex>
 #include <variant>
@@ -46,6 +47,25 @@ SpanEnd EndOfLink(const DrawingGraph& graph, const DrawingLink& link, int end) {
   const auto* line = link.primitive ? std::get_if<LineSegment>(&link.primitive->shape) : nullptr;
   if (line) result.position = end == 0 ? line->start : line->end;
   return result;
+}
+
+// At a place of the drawing: of the node there, else by the sigma of the nearest point; zero if
+// that is unknown.
+Eigen::Matrix3d CovarianceAt(const DrawingGraph& graph, const Eigen::Vector3d& place) {
+  for (const DrawingNode& node : graph.nodes) {
+    if (node.position_in_world == place) return node.covariance;
+  }
+  double nearest = std::numeric_limits<double>::infinity(), sigma = 0;
+  for (const DrawingLink& link : graph.links) {
+    for (size_t i = 0; i < link.sigma.size(); ++i) {
+      const double distance = (link.points_in_world[i] - place).squaredNorm();
+      if (!(distance < nearest)) continue;
+      nearest = distance;
+      sigma = link.sigma[i];
+    }
+  }
+  if (!std::isfinite(sigma)) return Eigen::Matrix3d::Zero();
+  return sigma * sigma * Eigen::Matrix3d::Identity();
 }
 
 double ShapeLength(const DrawingLink& link) {
@@ -142,6 +162,19 @@ MeasuredLength MeasureSpan(const DrawingGraph& graph, const DrawingSpan& span) {
   }
   if (!(measured.length > 0)) throw InputError("both places are the same");
   return measured;
+}
+
+MeasuredLength MeasureBetween(const DrawingGraph& graph, const Eigen::Vector3d& from,
+                              const Eigen::Vector3d& to) {
+  const SpanEnd start = {from, CovarianceAt(graph, from)}, end = {to, CovarianceAt(graph, to)};
+  return {(to - from).norm(), SigmaBetween(start, end)};
+}
+
+void MeasureDimensions(double scale_sigma, DrawingGraph* graph) {
+  for (DrawingDimension& dimension : graph->dimensions) {
+    const auto [length, sigma] = MeasureBetween(*graph, dimension.from, dimension.to);
+    dimension.sigma = sigma > 0 ? std::hypot(sigma, scale_sigma * length) : 0;
+  }
 }
 
 MeasuredLength InWorld(const MeasuredLength& in_model, const Alignment& alignment) {

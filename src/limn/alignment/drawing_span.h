@@ -39,6 +39,14 @@ struct MeasuredLength {
 // node, or both places are the same. Precondition: places are known.
 MeasuredLength MeasureSpan(const DrawingGraph& graph, const DrawingSpan& span);
 
+// Between any two places of the drawing: each is a node if one is there, else the nearest point of a
+// link, known by its sigma. Linear in nodes and points.
+MeasuredLength MeasureBetween(const DrawingGraph& graph, const Eigen::Vector3d& from,
+                              const Eigen::Vector3d& to);
+
+// Sets the standard deviations of the dimensions, with that of a scale, relative.
+void MeasureDimensions(double scale_sigma, DrawingGraph* graph);
+
 // In the world: in its unit, and with the standard deviation of its scale.
 MeasuredLength InWorld(const MeasuredLength& in_model, const Alignment& alignment);
 

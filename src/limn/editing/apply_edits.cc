@@ -123,7 +123,7 @@ class Applier {
     double nearest = std::numeric_limits<double>::infinity();
     size_t best = 0;
     for (size_t d = 0; d < graph_->dimensions.size(); ++d) {
-      const auto& [from, to, shift] = graph_->dimensions[d];
+      const auto& [from, to, shift, sigma] = graph_->dimensions[d];
       const double distance = std::min(std::max((from - edit.from).norm(), (to - edit.to).norm()),
                                        std::max((from - edit.to).norm(), (to - edit.from).norm()));
       if (distance < nearest) {

@@ -52,9 +52,12 @@ DimensionLines LinesOf(const DrawingDimension& dimension) {
   return lines;
 }
 
-std::string DimensionText::Of(double length) const {
+std::string DimensionText::Of(double length, double sigma) const {
   const double value = per_unit * length;
-  const std::string number = RoundedText(value, DecimalsOf(unit, value));
+  const int decimals = DecimalsOf(unit, value);
+  std::string number = RoundedText(value, decimals);
+  const std::string spread = RoundedText(per_unit * sigma, decimals);
+  if (spread != "0") number += " \u00b1 " + spread;
   return unit == LengthUnit::kNone ? number : number + ' ' + UnitName(unit);
 }
 

@@ -11,6 +11,8 @@ struct DrawingDimension {
   Eigen::Vector3d to = Eigen::Vector3d::UnitX();
   // From the places to where the dimension line is drawn; zero: between the places themselves.
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  // Standard deviation of the length; 0: unknown, or not asked for (MeasureDimensions).
+  double sigma = 0;
 };
 
 }  // namespace limn

@@ -36,6 +36,7 @@ DrawingGraph Transformed(DrawingGraph graph, double scale, const Eigen::Matrix3d
     dimension.from = similarity * dimension.from;
     dimension.to = similarity * dimension.to;
     dimension.shift = scale * (rotation * dimension.shift);
+    dimension.sigma *= scale;
   }
   return graph;
 }

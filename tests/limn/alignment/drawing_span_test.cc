@@ -59,6 +59,17 @@ TEST_F(MeasureSpanTest, WhatTheDrawingDoesNotHaveIsAnError) {
   EXPECT_THROW(MeasureSpan(graph_, *ParseSpan("from 1 to 1")), InputError);
 }
 
+TEST_F(MeasureSpanTest, DimensionsAreBetweenNodesOrPointsOfLinks) {
+  SetCovariance(Variances(0.03, 1, 2));
+  const DrawingLink& link = graph_.links[0];
+  const Eigen::Vector3d end = link.points_in_world.back(), middle = link.points_in_world[1];
+  graph_.dimensions = {{link.points_in_world.front(), end, {0, 0, 0}}, {middle, end, {0, 0, 0}}};
+  MeasureDimensions(/*scale_sigma=*/0.01, &graph_);
+  EXPECT_NEAR(graph_.dimensions[0].sigma, std::hypot(0.03 * std::sqrt(2), 0.05), 1e-12);
+  const double of_middle = link.sigma[1];
+  EXPECT_NEAR(graph_.dimensions[1].sigma, std::hypot(0.03, of_middle, 0.025), 1e-12);
+}
+
 TEST(InWorldTest, TheScaleAddsItsShare) {
   Alignment alignment;
   alignment.world_from_model.scale = 2;

@@ -188,6 +188,8 @@ TEST(PlanFiles, TextsOfDimensions) {
   EXPECT_EQ((DimensionText{1, LengthUnit::kMeter}).Of(2.4), "2.4 m");
   EXPECT_EQ((DimensionText{1, LengthUnit::kMillimeter}).Of(0.26), "0.3 mm");
   EXPECT_EQ((DimensionText{2, LengthUnit::kFoot}).Of(1.00049), "2.001 ft");
+  EXPECT_EQ((DimensionText{1, LengthUnit::kMeter}).Of(2.4, 0.0034), "2.4 \u00b1 0.003 m");
+  EXPECT_EQ((DimensionText{1, LengthUnit::kMeter}).Of(2.4, 0.0001), "2.4 m");
   EXPECT_EQ((DimensionText{}).Of(123.456), "123.5");
   EXPECT_EQ((DimensionText{}).Of(0.00123456), "0.001235");
 }

@@ -63,7 +63,7 @@ DxfDimensions DimensionsOf(const DrawingGraph& graph, const DxfOptions& options,
     const double length =
         options.plan ? options.plan->lengths[i] : (dimension.to - dimension.from).norm();
     dimensions.all.push_back(
-        {LinesOf(dimension), length, options.dimension_text.Of(length), static_cast<int>(i)});
+        {LinesOf(dimension), length, options.dimension_text.Of(length, dimension.sigma), static_cast<int>(i)});
   }
   return dimensions;
 }

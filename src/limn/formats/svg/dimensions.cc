@@ -83,7 +83,7 @@ void WriteDimensions(const std::vector<DrawingDimension>& dimensions,
     const auto flat = Flat(LinesOf(dimensions[i]), picture);
     if (!flat) continue;
     out << "<g id=\"dimension_" << i << "\">";
-    Put(*flat, picture.text.Of(length), picture, out);
+    Put(*flat, picture.text.Of(length, dimensions[i].sigma), picture, out);
     out << "</g>\n";
   }
   out << "</g>\n";

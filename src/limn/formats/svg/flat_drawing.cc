@@ -264,7 +264,7 @@ FlatDrawing Flatten(const DrawingGraph& graph, const SvgSheet& sheet, const IsHi
     const DimensionLines lines = LinesOf(dimension);
     const Eigen::Vector3d shift =
         FlatPlace(sheet, lines.from) - FlatPlace(sheet, lines.measured_from);
-    dimensions.push_back({from, to, shift});
+    dimensions.push_back({from, to, shift, dimension.sigma});
     lengths.push_back((dimension.to - dimension.from).norm());
   }
   FlatDrawing flat = std::move(flattener).Build();
