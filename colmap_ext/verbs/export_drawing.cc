@@ -350,7 +350,7 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("cloud_path", &cloud_path, "GLB: a cloud to go with it, .ply");
   svg.AddOptions(parser);
   parser->AddOption("sigmas", &sigmas,
-                    "DXF and SVG: dimensions with \u00b1 their standard deviation");
+                    "DXF and SVG: dimensions with their standard deviations");
   parser->AddOption("regularize", &regularize,
                     "DXF plans: lines that are level or plumb within their uncertainty are so");
   parser->AddOption("chains", &chains,
