@@ -433,7 +433,7 @@ void BindAlignment(py::module_* module) {
           "The source of z: 'gravity', 'positions', 'lines' or 'cameras'.")
       .def_property_readonly(
           "axes_from", [](const Alignment& a) { return SourceName(a.axes); },
-          "The source of x and y: 'lines', 'positions' or 'model'.")
+          "The source of x and y: 'lines', 'positions', 'model' or 'plan'.")
       .def_property_readonly(
           "scale_from", [](const Alignment& a) { return SourceName(a.scale); },
           "The source of the scale: 'none', 'lengths' or 'positions'.")

@@ -228,12 +228,13 @@ class PixelPlacer {
  public:
   PixelPlacer(const ViewSet& set, const std::vector<View>& views, const DrawingGraph& graph,
               Console* console)
-      : set_(set), stored_(InStoredImages(set, views)), graph_(graph), console_(*console) {}
+      : set_(set), views_(views), graph_(graph), console_(*console) {}
 
   // `given` is the option, with its text. Throws OptionError.
   void Place(const std::string& given, DrawingSpan* span) const {
+    if (span->pixels.empty()) return;
     try {
-      span->places = PlacesOf(span->pixels, set_, stored_, graph_);
+      span->places = PlacesOf(span->pixels, set_, InStoredImages(set_, views_), graph_);
     } catch (const InputError& error) {
       throw OptionError(given + ": " + error.what());
     }
@@ -246,7 +247,7 @@ class PixelPlacer {
 
  private:
   const ViewSet& set_;
-  std::vector<View> stored_;
+  const std::vector<View>& views_;
   const DrawingGraph& graph_;
   Console& console_;
 };

@@ -14,8 +14,8 @@ constexpr const char* kFusedDrawing = "drawing-fused.json";
 
 // Which drawing of a folder a command reads if no path is given.
 enum class DrawingChoice {
-  kUnfused,  // drawing.json: to fuse it
-  kNewest,   // that, or drawing-fused.json, which has more, unless it is older
+  kUnfused,  // drawing.json: to continue from it
+  kNewest,   // that, or drawing-fused.json, which has more, unless it is older: to read from it
 };
 
 // What a command continues from (LayoutOptions::starts_from): the drawing of this path, or, if that

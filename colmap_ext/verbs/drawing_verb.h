@@ -7,7 +7,6 @@
 #include "colmap_ext/host/job.h"
 #include "colmap_ext/host/provenance.h"
 #include "colmap_ext/verbs/drawing_in_scene.h"
-#include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/verb.h"
 
@@ -39,13 +38,12 @@ class DrawingVerb : public Verb {
 
   std::vector<std::string> StartsFrom(const RunOptions& options) const override;
 
-  // Of the newest drawing in the output folder, or of that of --drawing_path; in the latter case
-  // the result must not replace another drawing.
+  // Of drawing.json in the output folder, with the classes that drawing-fused.json has for its
+  // links, or of the drawing of --drawing_path; in the latter case the result must not replace
+  // another drawing.
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 
  protected:
-  // Which drawing of the output folder it starts from: what drawing_fuser has found is kept.
-  virtual DrawingChoice Start() const { return DrawingChoice::kNewest; }
   virtual ProvenanceKeys ProvenanceRow() const { return {}; }
   virtual void CheckFiles(const Project& project, const RunOptions& options) const;
   virtual void CheckReplaces(const Project& project, const RunOptions& options,

@@ -7,6 +7,7 @@
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/edit_report.h"
+#include "limn/belief/node_covariance.h"
 #include "limn/cache/content_hash.h"
 #include "limn/editing/apply_edits.h"
 #include "limn/files/json_text.h"
@@ -79,6 +80,8 @@ DrawingInScene EditVerb::Apply(const Job& job, const DrawingInScene& given) {
     curves = CurvesOf(job, given);
     job.console->Report(RefitEdited({given.views, *curves}, job.scene.images().read,
                                     job.options.pipeline, job.context(), &edited));
+  } else {
+    MeasureNodes(given.views, job.context(), &edited.graph);  // some have other links
   }
   SayEdits(edits_, edited, job.console);
   CheckGraph(edited.graph);

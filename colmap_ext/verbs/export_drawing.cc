@@ -114,7 +114,8 @@ SvgScene SceneOf(const ExporterOptions& options, const SheetInput& input, Consol
 }
 
 // What the arrow up the sheet is called: north if x is east, else the axis.
-std::string UpName(const SheetOptions& sheet, const DrawingMetadata& metadata) {
+std::string UpName(const ExporterOptions& options, const SheetOptions& sheet,
+                   const DrawingMetadata& metadata) {
   if (sheet.axes) return "";
   if (sheet.projection != SvgProjection::kTop) {
     return sheet.projection == SvgProjection::kAxonometric ||
@@ -123,7 +124,8 @@ std::string UpName(const SheetOptions& sheet, const DrawingMetadata& metadata) {
                : "z";
   }
   const int axis = std::abs(sheet.front.x()) > std::abs(sheet.front.y()) ? 0 : 1;
-  const bool is_north = metadata.alignment && metadata.alignment->axes == AxesSource::kPositions;
+  const bool is_north = options.IsAligned() && metadata.alignment &&
+                        metadata.alignment->axes == AxesSource::kPositions;
   if (is_north && axis == 1 && sheet.front.y() > 0) return "N";
   return std::string(sheet.front[axis] < 0 ? "-" : "") + (axis == 0 ? "x" : "y");
 }
@@ -158,7 +160,7 @@ DrawingGraph PutPlan(SvgScene scene, const ExporterOptions& options,
   plan.hidden = std::move(flat.hidden);
   plan.lengths = std::move(flat.lengths);
   plan.layout = {sheet.mm(), TitleOf(options), ScaleText(sheet),
-                 UpName(scene.picture.sheet, metadata)};
+                 UpName(options, scene.picture.sheet, metadata)};
   if (scene.picture.style.section) {
     plan.section = std::move(*scene.picture.style.section);
     for (SectionLine& line : plan.section.lines) {
@@ -227,7 +229,7 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
   DrawingMetadata& metadata = drawing.metadata;
   const FileFrame frame = FrameOf(options, metadata);
   if (options.sigmas) {
-    MeasureDimensions(metadata.alignment ? metadata.alignment->scale_sigma : 0, &drawing.graph);
+    MeasureDimensions(metadata.alignment.value_or(Alignment()), &drawing.graph);
   }
   const auto& [scale, rotation, translation] = frame.from_model;
   const std::vector<DrawingFace> faces = TransformedFaces(drawing.graph.faces, frame.from_model);
@@ -349,8 +351,7 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   AddFormatOptions(&format, parser);
   parser->AddOption("cloud_path", &cloud_path, "GLB: a cloud to go with it, .ply");
   svg.AddOptions(parser);
-  parser->AddOption("sigmas", &sigmas,
-                    "DXF and SVG: dimensions with their standard deviations");
+  parser->AddOption("sigmas", &sigmas, "DXF and SVG: dimensions with their standard deviations");
   parser->AddOption("regularize", &regularize,
                     "DXF plans: lines that are level or plumb within their uncertainty are so");
   parser->AddOption("chains", &chains,

@@ -24,7 +24,6 @@ class FuseVerb : public DrawingVerb {
   void Conclude(const Job&, const DrawingInScene&, const DrawingInScene&) override {}
 
  protected:
-  DrawingChoice Start() const override { return DrawingChoice::kUnfused; }
   // Clouds and models bear no mark: they are ours beside a drawing-fused.json.
   void CheckFiles(const Project& project, const RunOptions& options) const override;
   void CheckReplaces(const Project& project, const RunOptions& options,

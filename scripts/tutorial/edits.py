@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Edits as the page writes them, of a drawing.json: removes the shadows and dimensions the two longest level lines."""
+"""Edits as the page writes them, of a drawing.json: removes the shadows, and gives the two longest level lines dimensions."""
 
 import json
 import math
@@ -23,6 +23,7 @@ drawing = json.load(open(sys.argv[1], encoding="utf-8"))
 firm = [link for link in drawing["links"] if not link.get("tentative")]
 shadows = [link for link in firm if link["kind"] == "shadow"]
 lines = [link for link in firm if link.get("primitive", {}).get("type") == "line" and link["kind"] == "edge"]
+lines = [link for link in lines if abs(link["points"][0][2] - link["points"][-1][2]) < 0.05]
 lines.sort(key=lambda link: -math.dist(link["points"][0], link["points"][-1]))
 edits = [{"edit": "delete", "links": [reference(link) for link in shadows]}] + [dimension(link) for link in lines[:2]]
 with open(sys.argv[2], "w", encoding="utf-8") as file:

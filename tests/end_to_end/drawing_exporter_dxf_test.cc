@@ -218,8 +218,14 @@ TEST(DrawingExporterDxf, LinksAndNodesKeepTheirNumbers) {
   DrawingGraph graph = PrimitiveDrawing();
   graph.links[0].tentative = true;
   const ExportedDrawing exported(graph);
-  exported.Export("d.dxf", {"--junctions", "0"});
-  const std::map<int, json> entities = LinkEntities(exported.Read("read_dxf.py", "d.dxf"));
+  exported.Export("d.dxf");
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  for (const json& entity : read.at("entities")) {
+    if (entity.at("type") != "POINT") continue;
+    EXPECT_EQ(ToPoint(entity.at("location")),
+              graph.nodes.at(entity.at("id").get<int>()).position_in_world);
+  }
+  const std::map<int, json> entities = LinkEntities(read);
   ASSERT_EQ(entities.size(), graph.links.size() - 1);
   EXPECT_FALSE(entities.contains(0));
   EXPECT_EQ(entities.at(11).at("radius"),
@@ -384,6 +390,11 @@ TEST(DrawingExporterDxf, APlanIsOnASheetToScale) {
   EXPECT_EQ(sheet.at("frames"), 1);
   ASSERT_EQ(sheet.at("units_per_mm").size(), 1u);
   EXPECT_NEAR(sheet.at("units_per_mm")[0].get<double>(), 0.02, 1e-12);  // 1 m is 50 mm
+  const json& extent = read.at("extent");
+  for (int axis = 0; axis < 2; ++axis) {
+    EXPECT_NEAR(sheet.at("center")[0][axis].get<double>(),
+                (extent[0][axis].get<double>() + extent[1][axis].get<double>()) / 2, 1e-9);
+  }
   EXPECT_THAT(sheet.at("texts").get<std::vector<std::string>>(),
               ElementsAre(::testing::HasSubstr("top"), "1:20", "y"));
   EXPECT_NEAR(read.at("line_type_scale").get<double>(), 0.02, 1e-12);

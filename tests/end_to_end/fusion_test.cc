@@ -199,9 +199,9 @@ TEST_F(Fusion, AsPmvsPatches) {
 
 // Made last: drawing.json is newer then.
 TEST_F(Fusion, ClassesSurviveLaterCommands) {
-  const LimnRun run = RunLimn({"drawing_regularizer", "--workspace_path", Path(), "--overwrite", "1"});
+  const LimnRun run =
+      RunLimn({"drawing_regularizer", "--workspace_path", Path(), "--overwrite", "1"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("drawing: " + Path("drawing-fused.json")));
   const DrawingGraph graph = ReadDrawingJson(Path("drawing.json")).graph;
   const auto num_classes = std::ranges::count_if(
       graph.links, [](const DrawingLink& link) { return link.dense.has_value(); });

@@ -57,6 +57,7 @@ Eigen::Matrix3d CovarianceAt(const DrawingGraph& graph, const Eigen::Vector3d& p
   }
   double nearest = std::numeric_limits<double>::infinity(), sigma = 0;
   for (const DrawingLink& link : graph.links) {
+    if (link.kind == LinkKind::kContour) continue;
     for (size_t i = 0; i < link.sigma.size(); ++i) {
       const double distance = (link.points_in_world[i] - place).squaredNorm();
       if (!(distance < nearest)) continue;
@@ -79,11 +80,17 @@ double ShapeLength(const DrawingLink& link) {
   return Length(link.points_in_world);
 }
 
-// A closed curve grows with its radius.
-double SigmaOfClosed(const DrawingLink& link) {
+// By how much a link grows with its radius if it returns to where it begins, or is an arc.
+double TurnOf(const DrawingLink& link) {
+  if (link.node0 == link.node1) return 2 * std::numbers::pi;
+  const auto* arc = link.primitive ? std::get_if<CircularArc>(&link.primitive->shape) : nullptr;
+  return arc ? arc->sweep_rad : 0;
+}
+
+double SigmaOfRadius(const DrawingLink& link) {
   if (link.sigma.empty()) return 0;
   const double sigma = Median(link.sigma);
-  return std::isfinite(sigma) ? 2 * std::numbers::pi * sigma : 0;
+  return std::isfinite(sigma) ? sigma : 0;
 }
 
 double SigmaBetween(const SpanEnd& from, const SpanEnd& to) {
@@ -158,7 +165,12 @@ MeasuredLength MeasureSpan(const DrawingGraph& graph, const DrawingSpan& span) {
   if (span.link >= 0) {
     const DrawingLink& link = graph.links[span.link];
     measured.length = ShapeLength(link);
-    if (link.closed) measured.sigma = SigmaOfClosed(link);
+    const double of_radius = TurnOf(link) * SigmaOfRadius(link);
+    if (link.node0 == link.node1) {
+      measured.sigma = of_radius;
+    } else if (measured.sigma > 0) {
+      measured.sigma = std::hypot(measured.sigma, of_radius);
+    }
   }
   if (!(measured.length > 0)) throw InputError("both places are the same");
   return measured;
@@ -170,17 +182,18 @@ MeasuredLength MeasureBetween(const DrawingGraph& graph, const Eigen::Vector3d& 
   return {(to - from).norm(), SigmaBetween(start, end)};
 }
 
-void MeasureDimensions(double scale_sigma, DrawingGraph* graph) {
+void MeasureDimensions(const Alignment& alignment, DrawingGraph* graph) {
   for (DrawingDimension& dimension : graph->dimensions) {
-    const auto [length, sigma] = MeasureBetween(*graph, dimension.from, dimension.to);
-    dimension.sigma = sigma > 0 ? std::hypot(sigma, scale_sigma * length) : 0;
+    const MeasuredLength in_model = MeasureBetween(*graph, dimension.from, dimension.to);
+    dimension.sigma = InWorld(in_model, alignment).sigma / alignment.world_from_model.scale;
   }
 }
 
 MeasuredLength InWorld(const MeasuredLength& in_model, const Alignment& alignment) {
   MeasuredLength in_world;
   in_world.length = alignment.world_from_model.scale * in_model.length;
-  if (in_model.sigma > 0) {
+  const bool is_known = !alignment.IsMetric() || alignment.scale_sigma > 0;
+  if (in_model.sigma > 0 && is_known) {
     in_world.sigma = std::hypot(alignment.world_from_model.scale * in_model.sigma,
                                 alignment.scale_sigma * in_world.length);
   }

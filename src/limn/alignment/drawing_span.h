@@ -24,7 +24,7 @@ struct DrawingSpan {
 std::optional<DrawingSpan> ParseSpan(const std::string& text);
 
 // From the first place of a span to the second; of a link from its first end to its last. Throws
-// InputError as MeasureSpan.
+// InputError if the drawing has no such link or node, or both places are the same.
 Eigen::Vector3d WayOf(const DrawingGraph& graph, const DrawingSpan& span);
 
 struct MeasuredLength {
@@ -34,20 +34,22 @@ struct MeasuredLength {
 
 // Of a link that of its primitive, which does not follow the noise of its points; of a spline or a
 // link without a primitive that of its points. Otherwise the distance between two places. The
-// standard deviation is that of the places along the line through both (algorithm/belief.md#nodes),
-// and of a closed link that of its radius. Throws InputError if the drawing has no such link or
-// node, or both places are the same. Precondition: places are known.
+// standard deviation is that of the places along the line through both (algorithm/belief.md#nodes);
+// of an arc also of its radius, and of a link that ends where it begins of this alone. Throws
+// InputError if the drawing has no such link or node, or two places are the same. Precondition:
+// places are known.
 MeasuredLength MeasureSpan(const DrawingGraph& graph, const DrawingSpan& span);
 
-// Between any two places of the drawing: each is a node if one is there, else the nearest point of a
-// link, known by its sigma. Linear in nodes and points.
+// Between any two places of the drawing: each is a node if one is there, else the nearest point of
+// a link, known by its sigma. Linear in nodes and points.
 MeasuredLength MeasureBetween(const DrawingGraph& graph, const Eigen::Vector3d& from,
                               const Eigen::Vector3d& to);
 
-// Sets the standard deviations of the dimensions, with that of a scale, relative.
-void MeasureDimensions(double scale_sigma, DrawingGraph* graph);
+// Sets the standard deviations of the dimensions, with that of the scale (InWorld).
+void MeasureDimensions(const Alignment& alignment, DrawingGraph* graph);
 
-// In the world: in its unit, and with the standard deviation of its scale.
+// In the world: in its unit, and with the standard deviation of its scale, without which that of a
+// length in meters is unknown.
 MeasuredLength InWorld(const MeasuredLength& in_model, const Alignment& alignment);
 
 }  // namespace limn

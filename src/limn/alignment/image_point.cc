@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "limn/model/footprint.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
 #include "limn/util/printable.h"
@@ -17,8 +16,8 @@ constexpr double kSamePlacePx = 1;
 
 struct Candidate {
   DrawingPlace place;
-  double sigma = 0;                                 // of the link
-  Eigen::Vector3d along = Eigen::Vector3d::Zero();  // unit vector
+  double sigma = 0;                                    // of the link
+  Eigen::Vector3d along_px = Eigen::Vector3d::Zero();  // the way along it that is a pixel long
   double depth = 0;
   bool is_supported = false;
 };
@@ -74,8 +73,11 @@ Candidate NearestOnPiece(const DrawingLink& link, size_t i, const Piece& piece, 
   found.place.position = PointOn(link, i, in_space);
   found.place.distance_px = (a.pixel + in_image * along - pixel).norm();
   found.depth = Mix(a.depth, b.depth, on_piece);
-  found.along = (link.points_in_world[i + 1] - link.points_in_world[i]).stableNormalized();
-  if (!link.sigma.empty()) found.sigma = MixSigmas(link.sigma[i], link.sigma[i + 1], in_space);
+  // Where it is seen end on, all of the piece.
+  found.along_px = (PointOn(link, i, piece.end) - PointOn(link, i, piece.begin)) /
+                   std::max(1.0, std::sqrt(square));
+  const bool is_known = !link.sigma.empty() && link.kind != LinkKind::kContour;
+  if (is_known) found.sigma = MixSigmas(link.sigma[i], link.sigma[i + 1], in_space);
   return found;
 }
 
@@ -99,11 +101,10 @@ std::optional<Candidate> NearestOnLink(const DrawingLink& link, const View& view
   return best;
 }
 
-Eigen::Matrix3d CovarianceOf(const Candidate& found, const View& view) {
+Eigen::Matrix3d CovarianceOf(const Candidate& found) {
   if (!std::isfinite(found.sigma) || !(found.sigma > 0)) return Eigen::Matrix3d::Zero();
-  const double click = kClickSigmaPx * FootprintIn(view, found.place.position).value_or(0);
   return found.sigma * found.sigma * Eigen::Matrix3d::Identity() +
-         click * click * found.along * found.along.transpose();
+         kClickSigmaPx * kClickSigmaPx * found.along_px * found.along_px.transpose();
 }
 
 std::vector<Candidate> CandidatesAt(const Eigen::Vector2d& pixel, const View& view, ViewId id,
@@ -144,7 +145,7 @@ DrawingPlace SnapToDrawing(const ImagePoint& point, const View& view, ViewId id,
   std::erase_if(candidates,
                 [&](const Candidate& one) { return distance(one) > least + kSamePlacePx; });
   Candidate found = std::ranges::min(candidates, {}, &Candidate::depth);
-  found.place.covariance = CovarianceOf(found, view);
+  found.place.covariance = CovarianceOf(found);
   return found.place;
 }
 

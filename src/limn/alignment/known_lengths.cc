@@ -129,10 +129,11 @@ void CheckAgree(const std::vector<KnownLength>& lengths, const std::vector<UnitL
   if (worst > 0) FailContradicting(lengths, units, a, b);
 }
 
-// What the uncertainties of the drawing leave of the scale, relative.
+// What the uncertainties of the drawing leave of the scale, relative; 0 if one is unknown.
 double SigmaOfScale(const std::vector<MeasuredLength>& measured) {
   double squares = 0, weights = 0;
   for (const auto& [length, sigma] : measured) {
+    if (!(sigma > 0)) return 0;
     squares += std::pow(length * sigma, 2);
     weights += length * length;
   }

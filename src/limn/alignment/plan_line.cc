@@ -39,7 +39,7 @@ std::optional<double> NamedDeg(const std::string& name) {
 
 // Degrees. Nothing if this is not of the form.
 std::optional<double> AngleOf(const std::string& text) {
-  static const std::regex pattern(R"(\s*(?:([0-9.eE+-]{1,30})\s*deg|([a-z-]{1,5}))\s*)");
+  static const std::regex pattern(R"(\s*(?:\+?([0-9.eE-]{1,30})\s*deg|([a-z-]{1,5}))\s*)");
   std::smatch match;
   if (!std::regex_match(text, match, pattern)) return std::nullopt;
   if (match[2].matched) return NamedDeg(match[2]);
@@ -125,12 +125,14 @@ Eigen::Vector3d FitPlanLines(const DrawingGraph& graph, const std::vector<PlanLi
   std::vector<Told> told;
   for (const PlanLine& line : lines) told.push_back(TellOne(graph, line, up, level));
   const std::complex<double> sure = SumOf(told, /*of_all=*/false);
-  const double reference = std::abs(sure) > 0 ? std::arg(sure) : 0;
+  const bool is_sure = std::abs(sure) > 0;
+  double reference = is_sure ? std::arg(sure) : 0;
   for (Told& one : told) {
     const double right_angle = std::numbers::pi / 2;
     if (one.either_way && Difference(one.angle_rad, reference) > right_angle) {
       one.angle_rad += std::numbers::pi;
     }
+    if (!is_sure) reference = told.front().angle_rad;
   }
   CheckLinesAgree(lines, told);
   const double angle = std::arg(SumOf(told, /*of_all=*/true));

@@ -24,9 +24,10 @@ std::vector<PlanLine> ParsePlanLines(const std::vector<std::string>& texts);
 
 // The direction of x in the drawing, at right angles to `up`: the mean of what the lines tell,
 // weighted by their horizontal lengths. A link may run either way: of both directions the nearer
-// one to that of the other lines, or to `hint` if there are none, is meant. Throws OptionError if
-// the drawing has no such link or node, a line is upright, or two differ by more than 5 degrees:
-// names them. Preconditions: there are lines, places of pixels are known, vectors have unit length.
+// one to that of the lines that cannot, or of the first link as it is nearest to `hint` if there
+// are none, is meant. Throws OptionError if the drawing has no such link or node, a line is
+// upright, or two differ by more than 5 degrees: names them. Preconditions: there are lines, places
+// of pixels are known, vectors have unit length.
 Eigen::Vector3d FitPlanLines(const DrawingGraph& graph, const std::vector<PlanLine>& lines,
                              const Eigen::Vector3d& up, const Eigen::Vector3d& hint);
 

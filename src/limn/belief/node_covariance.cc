@@ -52,23 +52,43 @@ Eigen::Matrix3d InformationOf(const DrawingLink& link, int end, const std::vecto
   return whole.inverse() - along / variance_along;
 }
 
+// The ends at a node that tell about it: of firm links, if there are any, and of two that go on in
+// each other the first, since one curve was fitted.
+std::vector<LinkEnd> TellingEnds(const DrawingGraph& graph, const DrawingNode& node) {
+  const auto is_firm = [&](const LinkEnd& end) { return !graph.links[end.link].tentative; };
+  const bool has_firm = std::ranges::any_of(node.incident, is_firm);
+  std::vector<LinkEnd> telling;
+  for (const LinkEnd& end : node.incident) {
+    const bool goes_on = std::ranges::any_of(node.continuations, [&](const auto& pair) {
+      return pair.second == end && std::ranges::count(telling, pair.first) > 0;
+    });
+    const bool is_second = std::ranges::count(telling, LinkEnd{end.link, 0}) > 0;
+    if (!goes_on && !is_second && (is_firm(end) || !has_firm)) telling.push_back(end);
+  }
+  return telling;
+}
+
+Eigen::Matrix3d CovarianceOf(const DrawingGraph& graph, const DrawingNode& node,
+                             const std::vector<View>& views) {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  double footprint = 0;
+  for (const LinkEnd& at : TellingEnds(graph, node)) {
+    const DrawingLink& link = graph.links[at.link];
+    information += InformationOf(link, at.end, views);
+    footprint = std::max(footprint, LinkFootprint(link, node.position_in_world, views));
+  }
+  if (!(information.trace() > 0) || !(footprint > 0)) return Eigen::Matrix3d::Zero();
+  const double along = kEndSigmaPx * footprint, common = kCommonSigmaPx * footprint;
+  information += Eigen::Matrix3d::Identity() / (along * along);
+  return information.inverse() + common * common * Eigen::Matrix3d::Identity();
+}
+
 }  // namespace
 
-void MeasureNodes(const std::vector<View>& views, DrawingGraph* graph) {
-  for (DrawingNode& node : graph->nodes) {
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    double footprint = 0;
-    for (const LinkEnd& at : node.incident) {
-      const DrawingLink& link = graph->links[at.link];
-      information += InformationOf(link, at.end, views);
-      footprint = std::max(footprint, LinkFootprint(link, node.position_in_world, views));
-    }
-    node.covariance.setZero();
-    if (!(information.trace() > 0) || !(footprint > 0)) continue;
-    const double along = kEndSigmaPx * footprint, common = kCommonSigmaPx * footprint;
-    information += Eigen::Matrix3d::Identity() / (along * along);
-    node.covariance = information.inverse() + common * common * Eigen::Matrix3d::Identity();
-  }
+void MeasureNodes(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph) {
+  ParallelFor(context, "nodes", graph->nodes.size(), [&](size_t n) {
+    graph->nodes[n].covariance = CovarianceOf(*graph, graph->nodes[n], views);
+  });
 }
 
 }  // namespace limn

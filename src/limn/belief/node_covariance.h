@@ -4,6 +4,7 @@
 
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
+#include "limn/util/parallel.h"
 
 namespace limn {
 
@@ -11,6 +12,6 @@ namespace limn {
 // there tell across themselves, cameras included where these were refined, and how well the end of
 // an edge is seen along it. Zero, unknown, where no link has a known sigma. Needs sigmas. Linear in
 // link ends times views.
-void MeasureNodes(const std::vector<View>& views, DrawingGraph* graph);
+void MeasureNodes(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph);
 
 }  // namespace limn

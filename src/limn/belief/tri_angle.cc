@@ -98,7 +98,7 @@ double DepthSigma(const DrawingLink& link, const std::vector<View>& views) {
 void MeasureSigmas(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph) {
   ParallelFor(context, "depths", graph->links.size(),
               [&](size_t l) { graph->links[l].depth_sigma = DepthSigma(graph->links[l], views); });
-  MeasureNodes(views, graph);
+  MeasureNodes(views, context, graph);
 }
 
 void MeasureDepth(const std::vector<View>& views, const RunContext& context, DrawingGraph* graph) {

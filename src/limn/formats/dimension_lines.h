@@ -31,8 +31,8 @@ struct DimensionText {
   LengthUnit unit = LengthUnit::kNone;
 
   // "2.4 m": three decimals of meters and feet, two of inches and centimeters, one of millimeters;
-  // four digits of a length without a unit. With its standard deviation, "2.4 ± 0.003 m" (UTF-8), if
-  // that is not 0 or rounded to it.
+  // four digits of a length without a unit. With its standard deviation, "2.4 ± 0.003 m" (UTF-8),
+  // if that is not 0 or rounded to it.
   std::string Of(double length, double sigma = 0) const;
 };
 

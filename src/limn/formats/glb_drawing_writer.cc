@@ -325,11 +325,14 @@ class SceneBuilder {
   size_t first_vertex_ = 0;
 };
 
-std::string NodeNameOf(LinkId id) { return "link_" + std::to_string(id); }
+std::string NodeNameOf(const DrawingGraph& graph, LinkId id) {
+  return "link_" + std::to_string(NumberOfLink(graph, id));
+}
 
-Value::Object ExtrasOf(const DrawingLink& link, LinkId id, LinkId curve) {
-  Value::Object extras = {{"link", Value(id)},
-                          {"curve", Value(curve)},
+Value::Object ExtrasOf(const DrawingGraph& graph, LinkId id, LinkId curve) {
+  const DrawingLink& link = graph.links[id];
+  Value::Object extras = {{"link", Value(NumberOfLink(graph, id))},
+                          {"curve", Value(NumberOfLink(graph, curve))},
                           {"length", Value(Length(link.points_in_world))},
                           {"closed", Value(link.closed)},
                           {"residual_px", Value(link.residual_px)},
@@ -350,10 +353,12 @@ size_t NumDistinctPoints(const DrawingLink& link) {
   return link.points_in_world.size() - (link.closed ? 1 : 0);
 }
 
-void AddLink(const DrawingLink& link, LinkId id, LinkId curve, SceneBuilder* scene) {
+void AddLink(const DrawingGraph& graph, LinkId id, LinkId curve, SceneBuilder* scene) {
+  const DrawingLink& link = graph.links[id];
   const size_t count = NumDistinctPoints(link);
   for (size_t i = 0; i < count; ++i) scene->AddVertex(link.points_in_world[i], ColorOfCurve(curve));
-  scene->AddChild(NodeNameOf(id), TINYGLTF_MODE_LINE_STRIP, link.closed, ExtrasOf(link, id, curve));
+  scene->AddChild(NodeNameOf(graph, id), TINYGLTF_MODE_LINE_STRIP, link.closed,
+                  ExtrasOf(graph, id, curve));
 }
 
 // The name of the object that has a link if each kind is one.
@@ -392,10 +397,11 @@ void AddKinds(const DrawingGraph& graph, const std::vector<LinkId>& links,
   for (const auto& [name, ids] : kinds) AddKind(graph, name, ids, curves, scene);
 }
 
-void AddTube(const DrawingLink& link, LinkId id, LinkId curve, SceneBuilder* scene) {
+void AddTube(const DrawingGraph& graph, LinkId id, LinkId curve, SceneBuilder* scene) {
+  const DrawingLink& link = graph.links[id];
   const TubeMesh tube = MakeTube(link.points_in_world, link.closed, link.rod_radius);
-  scene->AddTriangles(NodeNameOf(id), {tube.vertices, tube.normals, tube.triangles}, "rods",
-                      ExtrasOf(link, id, curve));
+  scene->AddTriangles(NodeNameOf(graph, id), {tube.vertices, tube.normals, tube.triangles}, "rods",
+                      ExtrasOf(graph, id, curve));
 }
 
 void AddJunctions(const DrawingGraph& graph, SceneBuilder* scene) {
@@ -435,14 +441,12 @@ void WriteInMeters(const DrawingGraph& graph, const GlbOptions& options, std::os
   if (options.objects == GlbObjects::kKind) {
     AddKinds(graph, lines, curves, &scene);
   } else {
-    for (const LinkId id : lines)
-      AddLink(graph.links[id], NumberOfLink(graph, id), curves[id], &scene);
+    for (const LinkId id : lines) AddLink(graph, id, curves[id], &scene);
   }
   if (options.junctions) AddJunctions(graph, &scene);
   for (const GlbPoint& point : options.cloud) scene.AddVertex(point.position, point.color);
   if (!options.cloud.empty()) scene.AddChild("cloud", TINYGLTF_MODE_POINTS, false, {});
-  for (const LinkId id : tubes)
-    AddTube(graph.links[id], NumberOfLink(graph, id), curves[id], &scene);
+  for (const LinkId id : tubes) AddTube(graph, id, curves[id], &scene);
   AddFaces(graph, &scene);
   scene.Write(out);
 }

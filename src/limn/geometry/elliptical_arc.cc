@@ -28,7 +28,12 @@ EllipticalArc ImageOf(const CircularArc& arc, const Eigen::Matrix3d& plane_from_
     begin = std::exchange(end, -begin);
     begin = -begin;
   }
-  const double turns = kTurn * std::floor(begin / kTurn);
+  if (arc.IsCircle()) {
+    begin = 0;
+    end = kTurn;
+  }
+  double turns = kTurn * std::floor(begin / kTurn);
+  if (begin - turns >= kTurn) turns += kTurn;  // rounded up
   EllipticalArc image;
   image.center = plane_from_space * arc.center + offset;
   image.major.head<2>() = svd.singularValues()[0] * u.col(0);

@@ -20,7 +20,7 @@ struct EllipticalArc {
 };
 
 // The image of an arc under a linear map to a plane, of which the third row is zero, then a move by
-// `offset`. It may run the other way.
+// `offset`. It may run the other way; of a circle it begins at 0.
 EllipticalArc ImageOf(const CircularArc& arc, const Eigen::Matrix3d& plane_from_space,
                       const Eigen::Vector3d& offset);
 

@@ -28,6 +28,9 @@ std::string Validate(const Alignment& alignment) {
   }
   if (!(scale > 0)) return "the scale is not positive";
   if (!(alignment.scale_sigma >= 0)) return "the standard deviation of the scale is negative";
+  if (alignment.scale_sigma > 0 && !alignment.IsMetric()) {
+    return "a scale that is not known has no standard deviation";
+  }
   const bool is_orthonormal =
       (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-6;
   if (!is_orthonormal || rotation.determinant() < 0) return "the matrix is not a rotation";

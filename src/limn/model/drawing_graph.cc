@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
+
 #include "limn/geometry/polyline.h"
 #include "limn/model/link_shape.h"
 #include "limn/util/name_table.h"
@@ -147,12 +149,19 @@ void CheckOrder(const DrawingGraph& graph, NodeId id, Violations* violations) {
   }
 }
 
+// Symmetric, and without negative variances but by rounding.
+bool IsCovariance(const Eigen::Matrix3d& matrix) {
+  if (!matrix.allFinite() || !(matrix.trace() >= 0)) return false;
+  const double slack = 1e-9 * matrix.trace();
+  if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > slack) return false;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(matrix, Eigen::EigenvaluesOnly);
+  return axes.eigenvalues()[0] >= -slack;
+}
+
 void CheckNode(const DrawingGraph& graph, NodeId id, Violations* violations) {
   const DrawingNode& node = graph.nodes[id];
   if (!node.position_in_world.allFinite()) violations->Add("node", id, "position not finite");
-  if (!node.covariance.allFinite() || !(node.covariance.diagonal().minCoeff() >= 0)) {
-    violations->Add("node", id, "not a covariance");
-  }
+  if (!IsCovariance(node.covariance)) violations->Add("node", id, "not a covariance");
   if (node.incident.empty()) violations->Add("node", id, "no link ends here");
   const bool should_be_junction = node.Degree() >= 3;
   if ((node.kind == NodeKind::kJunction) != should_be_junction) {

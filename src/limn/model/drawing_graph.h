@@ -223,7 +223,8 @@ struct DrawingGraph {
 // zero length, one sigma (and one vertex, if there are any) per point, radii of rods and of nothing
 // else, bodies of contours only, primitives that ValidateShape and IsAlongLink accept, regularities
 // and faces in order, finite dimensions, confidences from 0 to 1, lengths of curves not below 0,
-// doubts of tentative links only, junction <=> degree >= 3, loop anchors with exactly the two ends
+// doubts of tentative links only, symmetric covariances without negative
+// variances, junction <=> degree >= 3, loop anchors with exactly the two ends
 // of one closed link. Time n log n, mostly linear.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 

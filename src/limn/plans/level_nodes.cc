@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
 constexpr double kSigmas = 2;
-// Lines that differ from level or plumb by a larger slope are meant to: 1 degree.
-constexpr double kMaxSlope = 0.0175;
+// Lines that differ from level or plumb by a larger slope, of 1 degree, are meant to.
+const double kMaxSlope = std::tan(1 * kDeg);
 
 // Nodes that share a coordinate.
 struct Group {
@@ -86,6 +89,24 @@ std::vector<FlatLine> LinesAcross(int axis, const std::vector<Eigen::Vector3d>& 
   return across;
 }
 
+// Gives back their places to the nodes of lines that would be no longer than a tenth of what they
+// were, until there are none.
+void UndoShrinking(const std::vector<Eigen::Vector3d>& measured, const std::vector<FlatLine>& lines,
+                   std::vector<Eigen::Vector3d>* places) {
+  constexpr double kLeastShare = 0.1;
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (const auto& [a, b] : lines) {
+      const double before = (measured[b] - measured[a]).norm();
+      const bool is_moved = (*places)[a] != measured[a] || (*places)[b] != measured[b];
+      if (!is_moved || ((*places)[b] - (*places)[a]).norm() > kLeastShare * before) continue;
+      (*places)[a] = measured[a];
+      (*places)[b] = measured[b];
+      has_changed = true;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3d> LevelNodes(std::vector<Eigen::Vector3d> places,
@@ -97,6 +118,7 @@ std::vector<Eigen::Vector3d> LevelNodes(std::vector<Eigen::Vector3d> places,
     for (const FlatLine& line : LinesAcross(axis, measured, lines)) shared.Join(line);
     shared.Apply(&places);
   }
+  UndoShrinking(measured, lines, &places);
   return places;
 }
 

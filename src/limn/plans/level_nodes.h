@@ -16,9 +16,10 @@ struct FlatLine {
 
 // The places of the nodes of a flat drawing (x to the right, y up) after lines that are level or
 // plumb within the uncertainties of their ends have been made so exactly: nodes of a chain of level
-// lines share their y, of plumb ones their x, the mean weighted by their variances. No node moves
-// by more than two of its standard deviations; lines by ends without a covariance (of the plane,
-// above) stay. Longer lines come first. Time: lines times the nodes that become one.
+// lines share their y, of plumb ones their x, the mean weighted by the inverse of their variances.
+// No node moves by more than two of its standard deviations; lines by ends without a covariance (of
+// the plane, above) stay, and so do those that would lose nine tenths of their length. Longer lines
+// come first. Time: lines times the nodes that become one.
 std::vector<Eigen::Vector3d> LevelNodes(std::vector<Eigen::Vector3d> places,
                                         const std::vector<Eigen::Matrix3d>& covariances,
                                         const std::vector<FlatLine>& lines);

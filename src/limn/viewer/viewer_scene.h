@@ -38,7 +38,7 @@ struct ViewerScene {
   Similarity3d shown_from_model;
   // The unit of displayed lengths.
   std::string unit = "model units";
-  // Relative standard deviation of the scale that makes it this unit; 0: none.
+  // Relative standard deviation of the scale that makes it this unit; 0: unknown.
   double scale_sigma = 0;
   // Whether z points up, as in the world.
   bool z_is_up = false;

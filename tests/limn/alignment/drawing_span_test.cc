@@ -49,6 +49,7 @@ TEST_F(MeasureSpanTest, IsUnknownWhereAPlaceIs) {
 TEST_F(MeasureSpanTest, AClosedLinkGrowsWithItsRadius) {
   DrawingLink& link = graph_.links[0];
   link.closed = true;
+  link.node1 = link.node0;
   link.sigma.assign(link.points_in_world.size(), 0.01);
   EXPECT_NEAR(MeasureSpan(graph_, *ParseSpan("link 0")).sigma, 0.02 * std::numbers::pi, 1e-12);
 }
@@ -64,7 +65,11 @@ TEST_F(MeasureSpanTest, DimensionsAreBetweenNodesOrPointsOfLinks) {
   const DrawingLink& link = graph_.links[0];
   const Eigen::Vector3d end = link.points_in_world.back(), middle = link.points_in_world[1];
   graph_.dimensions = {{link.points_in_world.front(), end, {0, 0, 0}}, {middle, end, {0, 0, 0}}};
-  MeasureDimensions(/*scale_sigma=*/0.01, &graph_);
+  Alignment alignment;
+  alignment.world_from_model.scale = 2;
+  alignment.scale = ScaleSource::kLengths;
+  alignment.scale_sigma = 0.01;
+  MeasureDimensions(alignment, &graph_);
   EXPECT_NEAR(graph_.dimensions[0].sigma, std::hypot(0.03 * std::sqrt(2), 0.05), 1e-12);
   const double of_middle = link.sigma[1];
   EXPECT_NEAR(graph_.dimensions[1].sigma, std::hypot(0.03, of_middle, 0.025), 1e-12);
@@ -73,11 +78,15 @@ TEST_F(MeasureSpanTest, DimensionsAreBetweenNodesOrPointsOfLinks) {
 TEST(InWorldTest, TheScaleAddsItsShare) {
   Alignment alignment;
   alignment.world_from_model.scale = 2;
+  alignment.scale = ScaleSource::kLengths;
   alignment.scale_sigma = 0.01;
   const MeasuredLength measured = InWorld({5, 0.02}, alignment);
   EXPECT_DOUBLE_EQ(measured.length, 10);
   EXPECT_NEAR(measured.sigma, std::hypot(0.04, 0.1), 1e-12);
   EXPECT_EQ(InWorld({5, 0}, alignment).sigma, 0);
+  // Of a scale from elsewhere nobody knows how good it is.
+  alignment.scale_sigma = 0;
+  EXPECT_EQ(InWorld({5, 0.02}, alignment).sigma, 0);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ class NodeCovarianceTest : public ::testing::Test {
 
   // Standard deviations along the axes of the node at the origin.
   Eigen::Vector3d Measure() {
-    MeasureNodes(views_, &graph_);
+    MeasureNodes(views_, {}, &graph_);
     for (const DrawingNode& node : graph_.nodes) {
       if (node.position_in_world.isZero(0)) return node.covariance.diagonal().cwiseSqrt();
     }
@@ -71,6 +71,24 @@ TEST_F(NodeCovarianceTest, IsUnknownWithoutSigmas) {
   EXPECT_EQ(Measure(), Eigen::Vector3d::Zero());
   AddLink({0, 1, 0}, kSigma);
   EXPECT_GT(Measure().minCoeff(), 0);
+}
+
+TEST_F(NodeCovarianceTest, OneCurveThatGoesOnTellsOnce) {
+  AddLink({1, 0, 0});
+  const Eigen::Vector3d alone = Measure();
+  AddLink({-1, 0, 0});
+  for (DrawingNode& node : graph_.nodes) {
+    if (node.Degree() == 2) node.continuations = {{node.incident[0], node.incident[1]}};
+  }
+  EXPECT_NEAR((Measure() - alone).norm(), 0, 1e-9);
+}
+
+TEST_F(NodeCovarianceTest, DoubtedLinksTellNothingBesideFirmOnes) {
+  AddLink({1, 0, 0});
+  const Eigen::Vector3d alone = Measure();
+  AddLink({0, 1, 0});
+  graph_.links.back().tentative = true;
+  EXPECT_NEAR((Measure() - alone).norm(), 0, 1e-12);
 }
 
 // Two views from nearby places, which measure depth (z) badly.

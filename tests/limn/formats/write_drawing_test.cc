@@ -168,6 +168,32 @@ TEST(WriteDrawing, JsonKeepsThePrimitives) {
   }
 }
 
+TEST(WriteDrawing, JsonKeepsWhatIsKnownOfPlacesAndScale) {
+  const TemporaryFolder folder;
+  DrawingGraph graph = SmallDrawing();
+  graph.nodes[0].covariance << 2, 1, 0, 1, 3, 0.5, 0, 0.5, 1.0 / 3;
+  DrawingMetadata metadata = SmallMetadata();
+  metadata.alignment = Alignment();
+  metadata.alignment->scale = ScaleSource::kLengths;
+  metadata.alignment->scale_sigma = 0.01;
+  const std::string path = folder.Path("d.json");
+  WriteDrawing(path, graph, metadata);
+  const DrawingFile back = ReadDrawingJson(path);
+  EXPECT_EQ(back.graph.nodes[0].covariance, graph.nodes[0].covariance);
+  EXPECT_TRUE(back.graph.nodes[1].covariance.isZero(0));
+  EXPECT_EQ(back.metadata.alignment->scale_sigma, 0.01);
+  const std::string text = TemporaryFolder::Read(path);
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"\"covariance\":[2.0,1.0,", "\"covariance\":[2.0,9.0,"},
+        {"\"covariance\":[2.0,", "\"covariance\":["},
+        {"\"scale_sigma\":0.01", "\"scale_sigma\":-0.01"}}) {
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    const std::string bad = std::string(text).replace(at, from.size(), to);
+    EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", bad)), IoError) << from;
+  }
+}
+
 TEST(WriteDrawing, JsonKeepsTheDimensions) {
   const TemporaryFolder folder;
   DrawingGraph graph = SmallDrawing();

@@ -123,7 +123,6 @@ def main():
         "line_type_scale": document.header["$LTSCALE"],
         "sheet": describe_sheet(document) if len(document.layout()) else None,
         "model_space": document.modelspace().layout_key,
-        "paper_space": len(document.layout()),
         "entities": [describe(entity) for entity in document.modelspace()],
     }))
 

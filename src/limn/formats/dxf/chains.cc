@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -128,7 +130,6 @@ class ChainFinder {
 
   FlatChain ChainOf(const std::vector<ChainStep>& steps, bool closed) const {
     FlatChain chain;
-    chain.closed = closed;
     bool before_is_line = false;
     std::vector<Eigen::Vector2d> skipped;  // between the last vertex and the end of the last line
     Eigen::Vector2d end = Eigen::Vector2d::Zero();

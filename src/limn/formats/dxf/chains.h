@@ -24,9 +24,9 @@ struct FlatChain {
 
 // Of lines, arcs and links without a shape. Those of one layer are joined where two of them and
 // nothing else meet, and lines where they go on within a degree, whatever else ends there; between
-// lines the vertex is left out if no end in between is farther than `tolerance` from the straight
-// way. Circles, splines, ellipses and rods are in no chain. Linear time in links, but in ends at a
-// node quadratic.
+// lines the vertex, but the first of a loop, is left out if no end in between is farther than
+// `tolerance` from the straight way. Circles, splines, ellipses and rods are in no chain. Linear
+// time in links, but in ends at a node quadratic.
 std::vector<FlatChain> FindChains(const FlatLinks& flat, const std::vector<int>& layer_of_link,
                                   double tolerance);
 

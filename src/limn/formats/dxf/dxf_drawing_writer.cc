@@ -62,8 +62,9 @@ DxfDimensions DimensionsOf(const DrawingGraph& graph, const DxfOptions& options,
     if (dimension.from == dimension.to) continue;
     const double length =
         options.plan ? options.plan->lengths[i] : (dimension.to - dimension.from).norm();
-    dimensions.all.push_back(
-        {LinesOf(dimension), length, options.dimension_text.Of(length, dimension.sigma), static_cast<int>(i)});
+    dimensions.all.push_back({LinesOf(dimension), length,
+                              options.dimension_text.Of(length, dimension.sigma),
+                              static_cast<int>(i)});
   }
   return dimensions;
 }

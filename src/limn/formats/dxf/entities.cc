@@ -97,11 +97,14 @@ class EntityWriter {
     }
     SetMarks(layer, 0);
     ids_.clear();
-    for (const LinkId id : chain.links) ids_.push_back(NumberOfLink(graph, id));
+    for (const LinkId id : chain.links) {
+      const LinkId number = NumberOfLink(graph, id);
+      if (ids_.empty() || ids_.back() != number) ids_.push_back(number);
+    }
     const auto place = [&](size_t i) -> Eigen::Vector3d {
       return {chain.vertices[i].place.x(), chain.vertices[i].place.y(), 0};
     };
-    if (chain.vertices.size() == 2 && chain.vertices[0].bulge == 0) {
+    if (!chain.closed && chain.vertices.size() == 2 && chain.vertices[0].bulge == 0) {
       Put(LineSegment{place(0), place(1)});
     } else {
       PutFlatPolyline(chain.vertices, chain.closed);

@@ -12,7 +12,6 @@ constexpr double kBorder = 10;
 constexpr double kStrip = 15;
 constexpr double kMargin = 5;
 constexpr double kTitleHeight = 5, kTextHeight = 3.5;
-// Of the layer of a window's frame, which is not plotted.
 constexpr const char* kPaperLayer = "0";
 
 struct Paper {
@@ -214,7 +213,11 @@ void PutPaperSpace(const DxfLayout& layout, const Eigen::AlignedBox3d& extent, i
   put.PutFrame(border, paper.size - border);
   put.PutLine(paper.window_min, {paper.window_max.x(), paper.window_min.y()});
   const double middle = kBorder + 0.5 * kStrip;
-  put.PutText(layout.title, {kBorder + kMargin, middle}, kTitleHeight, false);
+  // Letters are about as wide as high; long titles are lower.
+  const double room = 0.75 * paper.size.x() - 5 * kBorder;
+  const auto num_letters = std::max<double>(1, static_cast<double>(layout.title.size()));
+  const double title_height = std::min(kTitleHeight, room / num_letters);
+  put.PutText(layout.title, {kBorder + kMargin, middle}, title_height, false);
   put.PutText(layout.scale, {0.75 * paper.size.x(), middle}, kTitleHeight, true);
   PutArrow(layout.up_name, {paper.window_max.x() - 3 * kMargin, kBorder + 0.5 * kMargin}, &put);
 }

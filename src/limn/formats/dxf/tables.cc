@@ -61,7 +61,8 @@ void TableWriter::Viewport(const Eigen::AlignedBox3d& extent) {
   const bool empty = extent.isEmpty();
   const Eigen::Vector3d center = empty ? Eigen::Vector3d(0, 0, 0) : extent.center().eval();
   const Eigen::Vector3d size = empty ? Eigen::Vector3d(1, 1, 1) : extent.sizes().eval();
-  const double height = 1.1 * std::max({size.x(), size.y(), 1e-6 * size.z()});
+  const double largest = std::max({size.x(), size.y(), 1e-6 * size.z()});
+  const double height = largest > 0 ? 1.1 * largest : 1;  // of a point
   Begin("VPORT", 1);
   Entry("VPORT", "AcDbViewportTableRecord", "*Active");
   Flags(0);

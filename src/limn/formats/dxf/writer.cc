@@ -1,8 +1,8 @@
 #include "limn/formats/dxf/writer.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <vector>
 
 #include "limn/util/number_text.h"
 
@@ -16,40 +16,53 @@ std::string RealText(double value) {
   return exponent == std::string::npos ? text + ".0" : text.insert(exponent, ".0");
 }
 
-// Of the lead byte of a code point in UTF-8: its own bits, and the bytes that follow.
-struct LeadByte {
-  unsigned bits = 0;
-  int more = 0;
-};
-
-LeadByte LeadOf(unsigned char byte) {
-  if (byte >= 0xF0) return {byte & 0x07u, 3};
-  if (byte >= 0xE0) return {byte & 0x0Fu, 2};
-  if (byte >= 0xC0) return {byte & 0x1Fu, 1};
-  return {byte, 0};
+// Bytes that follow the lead byte of a code point in UTF-8; 0 also if it is none.
+size_t NumFollowing(unsigned char lead) {
+  if (lead >= 0xF0 && lead <= 0xF4) return 3;
+  if (lead >= 0xE0 && lead <= 0xEF) return 2;
+  return lead >= 0xC2 && lead <= 0xDF ? 1 : 0;
 }
 
-// AutoCAD has four digits: of planes above the first it shows two code points.
+bool Follow(const std::string& text, size_t begin, size_t count) {
+  if (begin + count > text.size()) return false;
+  return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(begin),
+                     text.begin() + static_cast<std::ptrdiff_t>(begin + count),
+                     [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; });
+}
+
+// The code point at a place, which is moved behind it. A byte that is not UTF-8 is one of Latin-1.
+unsigned TakeCodePoint(const std::string& text, size_t* at) {
+  const auto lead = static_cast<unsigned char>(text[(*at)++]);
+  const size_t count = NumFollowing(lead);
+  if (count == 0 || !Follow(text, *at, count)) return lead;
+  unsigned code_point = lead & (0x3Fu >> count);
+  for (size_t i = 0; i < count; ++i) {
+    code_point = code_point << 6 | (static_cast<unsigned char>(text[(*at)++]) & 0x3Fu);
+  }
+  return code_point;
+}
+
+std::string EscapedUnit(unsigned unit) {
+  char digits[12];
+  std::snprintf(digits, sizeof(digits), "\\U+%04X", unit & 0xFFFFu);
+  return digits;
+}
+
+// AutoCAD has four digits: of planes above the first they are two, as in UTF-16.
 std::string Escaped(const std::string& text) {
+  constexpr unsigned kFirstPrintable = 0x20, kFirstBeyondAscii = 0x7F, kBeyond = 0x10000;
   std::string escaped;
   for (size_t i = 0; i < text.size();) {
-    auto [code_point, more] = LeadOf(static_cast<unsigned char>(text[i++]));
-    for (; more > 0 && i < text.size(); --more) {
-      code_point = code_point << 6 | (static_cast<unsigned char>(text[i++]) & 0x3Fu);
-    }
-    if (code_point < 0x80) {
+    const unsigned code_point = TakeCodePoint(text, &i);
+    if (code_point < kFirstPrintable) continue;
+    if (code_point < kFirstBeyondAscii) {
       escaped += static_cast<char>(code_point);
-      continue;
-    }
-    constexpr unsigned kBeyond = 0x10000;
-    const bool is_beyond = code_point >= kBeyond;
-    const unsigned rest = code_point - kBeyond;
-    for (const unsigned part :
-         is_beyond ? std::vector<unsigned>{0xD800 + (rest >> 10), 0xDC00 + (rest & 0x3FF)}
-                   : std::vector<unsigned>{code_point}) {
-      char digits[8];
-      std::snprintf(digits, sizeof(digits), "%04X", part);
-      escaped += std::string("\\U+") + digits;
+      if (code_point == '^') escaped += ' ';  // else a control code
+    } else if (code_point < kBeyond) {
+      escaped += EscapedUnit(code_point);
+    } else {
+      escaped += EscapedUnit(0xD800 + ((code_point - kBeyond) >> 10));
+      escaped += EscapedUnit(0xDC00 + ((code_point - kBeyond) & 0x3FF));
     }
   }
   return escaped;

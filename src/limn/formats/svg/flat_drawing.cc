@@ -17,8 +17,10 @@ namespace {
 
 constexpr double kTolerancePx = 0.1;
 constexpr double kLeastPx = 0.01;
-// Curves whose ends are nearer to each other than this share of their length do not turn with them.
+// Curves turn and grow with their ends if these are apart by this share of their length, and move
+// against each other by no more than this share of the way between them.
 constexpr double kLeastChord = 0.5;
+constexpr double kMostMotion = 0.25;
 
 // Rows x, y and zero.
 Eigen::Matrix3d FlatFromWorld(const SvgSheet& sheet) {
@@ -88,10 +90,11 @@ class Flattener {
 
   void Add(const DrawingLink& link, const ShownRun& run, const LinkRuns& runs) {
     FlatCurve curve = Project(link, run, runs.of_shape);
-    if (Length(curve.points) < kLeastPx * sheet_.px()) return;
+    if (IsTooShort(curve)) return;
     const double first = runs.runs.front().from, last = runs.runs.back().to;
     const auto share = [&](double t) { return (t - first) / (last - first); };
     curve = MovedWithEnds(link, share(run.from), share(run.to), std::move(curve));
+    if (IsTooShort(curve)) return;
     const bool has_begin = run.from == first;
     const bool has_end = run.to == last;
     (run.hidden ? hidden_ : visible_)
@@ -116,6 +119,10 @@ class Flattener {
   }
 
  private:
+  bool IsTooShort(const FlatCurve& curve) const {
+    return Length(curve.points) < kLeastPx * sheet_.px();
+  }
+
   std::vector<DrawingNode> Nodes(const DrawingGraph& graph) const {
     std::vector<DrawingNode> nodes = graph.nodes;
     for (size_t n = 0; n < nodes.size(); ++n) {
@@ -175,7 +182,8 @@ class Flattener {
   void Project(const CircularArc& arc, FlatCurve* curve) const {
     const double cosine = std::abs(sheet_.axes.row(2).dot(arc.Normal()));
     const Eigen::Vector3d center = FlatPlace(sheet_, arc.center);
-    if (arc.radius * (1 - cosine) > kTolerancePx * sheet_.px()) {
+    constexpr double kFrontal = 0.5;  // tiny arcs seen edge-on are none
+    if (cosine < kFrontal || arc.radius * (1 - cosine) > kTolerancePx * sheet_.px()) {
       const Eigen::Matrix3d flat_from_world = FlatFromWorld(sheet_);
       const EllipticalArc ellipse =
           ImageOf(arc, flat_from_world, center - flat_from_world * arc.center);
@@ -208,7 +216,9 @@ class Flattener {
       };
       return {{at(begin), at(end)}, LineSegment{at(begin), at(end)}, std::nullopt};
     }
-    if ((before.to - before.from).norm() >= kLeastChord * Length(Flat(link.points_in_world))) {
+    const double chord = (before.to - before.from).norm();
+    if (chord >= kLeastChord * Length(Flat(link.points_in_world)) &&
+        (at_end - at_start).norm() <= kMostMotion * chord) {
       return Moved(std::move(curve), Between(before, after));
     }
     curve.shape.reset();

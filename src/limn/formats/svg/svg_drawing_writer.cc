@@ -2,8 +2,10 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -161,10 +163,18 @@ class SvgWriter {
     return summary;
   }
 
+  // "link_7"; of further parts of a link that a plan cuts "link_7_1" and so on.
+  std::string IdOf(size_t id) {
+    const LinkId number = NumberOfLink(graph_, id);
+    const int part = num_parts_[number]++;
+    const std::string name = "link_" + std::to_string(number);
+    return part == 0 ? name : name + "_" + std::to_string(part);
+  }
+
   void PutLink(size_t id, const LinkPath& path, bool shows_hidden) {
     const DrawingLink& link = graph_.links[id];
-    out_ << (shows_hidden ? "<g" : "<path") << " id=\"link_" << NumberOfLink(graph_, id)
-         << "\" class=\"" << (link.primitive ? ShapeName(link.primitive->shape) : "polyline");
+    out_ << (shows_hidden ? "<g" : "<path") << " id=\"" << IdOf(id) << "\" class=\""
+         << (link.primitive ? ShapeName(link.primitive->shape) : "polyline");
     if (link.dense) out_ << ' ' << DenseClassName(link.dense->dense_class);
     if (link.kind != LinkKind::kUnknown) out_ << " kind-" << LinkKindName(link.kind);
     if (link.tentative) out_ << " tentative";
@@ -229,6 +239,7 @@ class SvgWriter {
 
   const DrawingGraph& graph_;
   const std::vector<LinkId> curves_;
+  std::map<LinkId, int> num_parts_;  // written
   const Picture& picture_;
   const SvgOptions& options_;
   std::ostream& out_;

@@ -2,14 +2,15 @@
 
 import { make } from './dom.js';
 import { measured } from './format.js';
-import { sigmaBetween } from './uncertainty.js';
+import { sigmaOfDimension } from './uncertainty.js';
 import { joined, WideLines } from './wide_lines.js';
 
 const WIDTH_PX = 1.6;
 
 // Its length, with its standard deviation.
-export function lengthText(drawing, { from, to }) {
-  return measured(from.distanceTo(to), sigmaBetween(drawing, from, to));
+export function lengthText(drawing, dimension) {
+  const { from, to } = dimension;
+  return measured(from.distanceTo(to), sigmaOfDimension(drawing, dimension));
 }
 
 // {from, to, shift} of each dimension of the payload.

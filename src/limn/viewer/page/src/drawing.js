@@ -5,6 +5,9 @@ import { Box3, Vector3 } from 'three';
 import { storedDimensions } from './dimensions.js';
 
 export const PRIMITIVES = ['none', 'line', 'arc', 'spline', 'circle'];
+export const LINE = 1;
+export const ARC = 2;
+export const CIRCLE = 4;
 export const BODY_SHAPES = ['none', 'cylinder', 'cone', 'sphere'];
 export const DENSE_CLASSES = ['unknown', 'surface', 'boundary', 'free'];
 // Of edges, as LinkKind; tentative links are a category of their own in legends.
@@ -12,7 +15,7 @@ export const LINK_KINDS = [
   ...['unknown', 'edge', 'paint', 'shadow', 'contour', 'rod', 'texture'],
   'tentative',
 ];
-const CONTOUR = 4;
+export const CONTOUR = 4;
 export const ROD = 5;
 export const TEXTURE = 6;
 const TENTATIVE = 7;
@@ -99,7 +102,8 @@ export class Drawing {
     this.title = header.title;
     this.center = header.center;
     this.unit = header.unit;
-    this.scaleSigma = header.scaleSigma; // relative
+    this.isMetric = header.unit !== 'model units';
+    this.scaleSigma = header.scaleSigma; // relative; 0: unknown
     this.zIsUp = header.zIsUp;
     this.stamp = header.drawing; // {name, fingerprint} of the file, texts that may be empty
     this.shownFromModel = header.shownFromModel;

@@ -3,7 +3,7 @@
 import { facts, make } from './dom.js';
 import { BODY_SHAPES, DENSE_CLASSES, LINK_KINDS, NODE_KINDS, PRIMITIVES, ROD } from './drawing.js';
 import { count, degrees, measured, number, percent } from './format.js';
-import { sigmaOfLink } from './uncertainty.js';
+import { measureLink } from './uncertainty.js';
 
 const PAGE = 100;
 
@@ -63,8 +63,9 @@ function bodyText(drawing, link) {
 
 function linkFacts(drawing, link) {
   const added = drawing.hasClasses ? percent(drawing.denseAdded[link]) : null;
+  const { length, sigma } = measureLink(drawing, link);
   return facts([
-    [`Length, ${drawing.unit}`, measured(drawing.linkLength[link], sigmaOfLink(drawing, link))],
+    [`Length, ${drawing.unit}`, measured(length, sigma)],
     ['Primitive', primitiveText(drawing, link)],
     ['Its fit', primitiveFit(drawing, link)],
     ['Residual', `${number(drawing.linkResidual[link], 3)} px`],

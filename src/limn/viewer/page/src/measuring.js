@@ -47,7 +47,7 @@ export class Measuring {
     this.points = points;
     this.line.visible = points.length === 2;
     if (points.length === 2) {
-      this.sigma = sigmaBetween(this.drawing, points[0].position, points[1].position);
+      this.sigma = sigmaBetween(this.drawing, points[0], points[1]);
       this.line.setLines(joined([points.map(({ position }) => position.toArray())]));
     }
     this.onChange();
