@@ -14,8 +14,6 @@ namespace {
 
 // Where an edge ends along itself, px: it fades, and is linked to what is near.
 constexpr double kEndSigmaPx = 3;
-// What is off in all views alike, px.
-constexpr double kCommonSigmaPx = 0.05;
 // The direction of a link at its end is that to this point.
 constexpr int kDirectionPoints = 4;
 // Of the other direction across, where views tell it exactly, relative to the variance.
@@ -78,9 +76,8 @@ Eigen::Matrix3d CovarianceOf(const DrawingGraph& graph, const DrawingNode& node,
     footprint = std::max(footprint, LinkFootprint(link, node.position_in_world, views));
   }
   if (!(information.trace() > 0) || !(footprint > 0)) return Eigen::Matrix3d::Zero();
-  const double along = kEndSigmaPx * footprint, common = kCommonSigmaPx * footprint;
-  information += Eigen::Matrix3d::Identity() / (along * along);
-  return information.inverse() + common * common * Eigen::Matrix3d::Identity();
+  const double along = kEndSigmaPx * footprint;
+  return (information + Eigen::Matrix3d::Identity() / (along * along)).inverse();
 }
 
 }  // namespace

@@ -15,7 +15,6 @@ namespace {
 using testing::DrawLink;
 using testing::LookAt;
 
-// Larger than what is common to all views.
 constexpr double kSigma = 0.002;
 
 // Views all around, so that directions across a curve are known alike.

@@ -100,7 +100,7 @@ TEST(RefitEdited, AGapThatTheyDoNotShowIsClosedAndTold) {
 TEST(RefitEdited, DimensionsAreOnTheFittedLinks) {
   const EditedDrawing edited = JoinedOver({Edge(-100, 100)}, true);
   ASSERT_EQ(edited.graph.dimensions.size(), 1u);
-  const auto& [from, to, shift] = edited.graph.dimensions[0];
+  const auto& [from, to, shift, sigma] = edited.graph.dimensions[0];
   EXPECT_NEAR(from.y(), 0, 0.06 * kFrontalPx);
   EXPECT_NEAR(to.y(), 0, 0.06 * kFrontalPx);
   EXPECT_NEAR((to - from).norm(), 120 * kFrontalPx, 0.5 * kFrontalPx);
