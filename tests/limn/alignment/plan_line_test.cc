@@ -58,13 +58,13 @@ TEST(PlanLine, ALinkMayRunEitherWay) {
   DrawingGraph graph = testing::WireRoom();
   EXPECT_NEAR(XOf(graph, {"link 0 = 180 deg"}), 0, 1e-9);
   EXPECT_NEAR(std::abs(XOf(graph, {"link 0 = x"}, -Eigen::Vector3d::UnitX())), 180, 1e-9);
+  // The places tell which.
+  EXPECT_NEAR(std::abs(XOf(graph, {"link 0 = x", "from 1 to 0 = x"})), 180, 1e-9);
   // At right angles to the hint each is on one side of it or the other by chance.
   graph.nodes[graph.links[0].node1].position_in_world.y() += 0.02;
   graph.links[0].primitive.reset();
   EXPECT_NEAR(std::abs(XOf(graph, {"link 0 = y", "link 1 = y"})), 90, 1);
   EXPECT_NEAR(std::abs(XOf(graph, {"link 1 = y", "link 0 = y"})), 90, 1);
-  // The places tell which.
-  EXPECT_NEAR(std::abs(XOf(graph, {"link 0 = x", "from 1 to 0 = x"})), 180, 1e-9);
 }
 
 TEST(PlanLine, WhatDoesNotFitIsNamed) {

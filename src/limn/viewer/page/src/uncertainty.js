@@ -98,7 +98,10 @@ export function measureLink(drawing, link) {
   const ofRadius = drawing.linkKind[link] === CONTOUR ? NaN : drawing.medianSigma(link);
   if (drawing.isClosed(link)) {
     const variance = (2 * Math.PI * ofRadius) ** 2;
-    return { length, sigma: Number.isFinite(variance) ? withScale(drawing, variance, length) : NaN };
+    return {
+      length,
+      sigma: Number.isFinite(variance) ? withScale(drawing, variance, length) : NaN,
+    };
   }
   const ofEnds = sigmaBetween(drawing, from, to);
   return { length, sigma: kind === ARC ? Math.hypot(ofEnds, turn * ofRadius) : ofEnds };
