@@ -162,8 +162,8 @@ std::map<NodeId, Eigen::Vector3d> NodesAtJunctions(const DrawingGraph& graph,
   return found;
 }
 
-// Of all lengths between two nodes that stand for junctions: 0.68 if sigmas are right; 0.81 now, by
-// lamp light 0.74, of other scenes 0.60 to 0.77 (algorithm/belief.md#nodes).
+// Of all lengths between two nodes that stand for junctions: 0.68 if sigmas are right; 0.82 now, by
+// lamp light 0.75, of other scenes 0.69 to 0.80 (algorithm/belief.md#nodes).
 TEST(Sample, SigmasTellTheErrorsOfLengths) {
   const DrawingGraph graph = Selected(Drawing(), {});
   const auto places =
