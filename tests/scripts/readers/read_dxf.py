@@ -9,6 +9,7 @@ import sys
 
 import ezdxf
 import ezdxf.path
+from ezdxf.lldxf.encoding import decode_dxf_unicode
 
 
 def is_face(entity):
@@ -70,7 +71,7 @@ def describe(entity):
     if entity.dxftype() == "DIMENSION":
         factor = entity.override().get("dimlfac", 1)
         record["remeasured"] = factor * entity.dxf.defpoint2.distance(entity.dxf.defpoint3)
-        record["text"], record["measured"] = entity.dxf.text, entity.dxf.actual_measurement
+        record["text"], record["measured"] = decode_dxf_unicode(entity.dxf.text), entity.dxf.actual_measurement
         record["places"] = [list(entity.dxf.defpoint2), list(entity.dxf.defpoint3), list(entity.dxf.defpoint)]
         # What programs show.
         record["picture"] = [part.dxftype() for part in entity.virtual_entities()]
