@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/host/world_shift.h"
+#include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/edit_report.h"
 #include "limn/belief/node_covariance.h"
