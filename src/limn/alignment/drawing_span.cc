@@ -1,7 +1,6 @@
 #include "limn/alignment/drawing_span.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,21 +10,14 @@
 #include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
 #include "limn/util/median.h"
+#include "limn/util/whole_number.h"
 
 namespace limn {
 namespace {
 
-template <typename Number>
-std::optional<Number> NumberOf(const std::string& text) {
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 std::optional<ImagePoint> PixelOf(const std::string& image, const std::string& x,
                                   const std::string& y) {
-  const auto column = NumberOf<double>(x), row = NumberOf<double>(y);
+  const auto column = WholeNumber<double>(x), row = WholeNumber<double>(y);
   if (!column || !row) return std::nullopt;
   return ImagePoint{image, {*column, *row}};
 }
@@ -138,10 +130,10 @@ std::optional<DrawingSpan> ParseSpan(const std::string& text) {
   std::smatch match;
   if (std::regex_match(text, match, graph_pattern)) {
     if (match[1].matched) {
-      span.link = *NumberOf<int>(match[1]);
+      span.link = *WholeNumber<int>(match[1]);
     } else {
-      span.node0 = *NumberOf<int>(match[2]);
-      span.node1 = *NumberOf<int>(match[3]);
+      span.node0 = *WholeNumber<int>(match[2]);
+      span.node1 = *WholeNumber<int>(match[3]);
     }
     return span;
   }

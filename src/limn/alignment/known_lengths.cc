@@ -1,16 +1,17 @@
 #include "limn/alignment/known_lengths.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <regex>
 #include <utility>
 
+#include "limn/alignment/span_value.h"
 #include "limn/util/errors.h"
 #include "limn/util/length_unit.h"
 #include "limn/util/number_text.h"
 #include "limn/util/printable.h"
+#include "limn/util/whole_number.h"
 
 namespace limn {
 namespace {
@@ -18,7 +19,6 @@ namespace {
 // Two lengths make units of the drawing that differ by no more than this share, for what is
 // measured, and so many standard deviations of the drawing; but never by more than the last.
 constexpr double kSameShare = 0.05, kSigmas = 3, kMaxAllowed = 0.5;
-constexpr size_t kMaxTextBytes = 700;
 constexpr double kMinMeters = 1e-6, kMaxMeters = 1e6;
 
 [[noreturn]] void Fail(const std::string& text, const std::string& reason) {
@@ -42,27 +42,22 @@ std::optional<double> MetersOf(const std::string& text) {
   static const std::regex pattern(R"(\s*([0-9.eE+-]{1,30})\s*(mm|cm|m|in|ft))");
   std::smatch match;
   if (!std::regex_match(text, match, pattern)) return std::nullopt;
-  const std::string number = match[1];
-  double value = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  const bool is_number = error == std::errc() && end == number.data() + number.size();
-  return is_number ? value * MetersPer(match[2]) : 0;
+  const auto number = WholeNumber<double>(match[1]);
+  return number ? *number * MetersPer(match[2]) : 0;
 }
 
 KnownLength ParseOne(const std::string& text) {
-  const size_t equals = text.rfind('=');
-  const bool is_short = text.size() <= kMaxTextBytes && equals != std::string::npos;
-  const auto span = is_short ? ParseSpan(text.substr(0, equals)) : std::nullopt;
-  const auto meters = span ? MetersOf(text.substr(equals + 1)) : std::nullopt;
+  const auto parsed = ParseSpanValue(text);
+  const auto meters = parsed ? MetersOf(parsed->value) : std::nullopt;
   if (!meters) {
-    Fail(text.substr(0, kMaxTextBytes),
+    Fail(text.substr(0, kMaxSpanValueBytes),
          "must be like \"link 12 = 2.40 m\", \"from 3 to 7 = 2.40 m\" or \"a.jpg 120,340 to b.jpg "
          "500,220 = 2.40 m\", in mm, cm, m, in or ft");
   }
   if (!(*meters >= kMinMeters && *meters <= kMaxMeters)) {
     Fail(text, "the length must be >= 1e-6 and <= 1e6 m");
   }
-  return {*span, *meters, text};
+  return {parsed->span, *meters, text};
 }
 
 MeasuredLength Measure(const DrawingGraph& graph, const KnownLength& known) {

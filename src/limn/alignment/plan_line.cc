@@ -1,6 +1,5 @@
 #include "limn/alignment/plan_line.h"
 
-#include <charconv>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -10,15 +9,16 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/alignment/span_value.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
 #include "limn/util/printable.h"
+#include "limn/util/whole_number.h"
 
 namespace limn {
 namespace {
 
-constexpr size_t kMaxLineBytes = 700;
 constexpr double kMaxDifference = 5 * kDeg;
 // Steeper lines have no direction in the plan.
 constexpr double kMinHorizontalShare = 0.3;
@@ -43,25 +43,20 @@ std::optional<double> AngleOf(const std::string& text) {
   std::smatch match;
   if (!std::regex_match(text, match, pattern)) return std::nullopt;
   if (match[2].matched) return NamedDeg(match[2]);
-  const std::string number = match[1];
-  double value = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  const bool is_number = error == std::errc() && end == number.data() + number.size();
-  return is_number && std::abs(value) <= 360 ? std::optional(value) : std::nullopt;
+  const auto number = WholeNumber<double>(match[1]);
+  return number && std::abs(*number) <= 360 ? number : std::nullopt;
 }
 
 PlanLine ParseLine(const std::string& text) {
-  const size_t equals = text.rfind('=');
-  const bool is_short = text.size() <= kMaxLineBytes && equals != std::string::npos;
-  const auto span = is_short ? ParseSpan(text.substr(0, equals)) : std::nullopt;
-  const auto angle = span ? AngleOf(text.substr(equals + 1)) : std::nullopt;
+  const auto parsed = ParseSpanValue(text);
+  const auto angle = parsed ? AngleOf(parsed->value) : std::nullopt;
   if (!angle) {
     FailLine(
-        text.substr(0, kMaxLineBytes),
+        text.substr(0, kMaxSpanValueBytes),
         "must be like \"link 12 = 30 deg\" (from x, counter-clockwise), \"from 3 to 7 = north\" or "
         "\"a.jpg 120,340 to b.jpg 500,220 = x\"");
   }
-  return {*span, *angle * kDeg, text};
+  return {parsed->span, *angle * kDeg, text};
 }
 
 // What a line tells about the direction of x.
