@@ -18,10 +18,10 @@ QT_QPA_PLATFORM=offscreen colmap stereo_fusion --workspace_path "$project" --inp
   --output_path "$project/fused.ply" >"$out/colmap.log" 2>&1
 
 $limn automatic_drawer --workspace_path "$project" --align auto
-length=$(python3 "$here/known_length.py" "$project/drawing.json")
-$limn drawing_aligner --workspace_path "$project" --known_length "$length"
 python3 "$here/edits.py" "$project/drawing.json" "$out/edits.json"
 $limn drawing_editor --workspace_path "$project" --edits "$out/edits.json" --overwrite 1
+length=$(python3 "$here/known_length.py" "$project/drawing.json")
+$limn drawing_aligner --workspace_path "$project" --known_length "$length"
 $limn drawing_surfacer --workspace_path "$project" --overwrite 1
 $limn drawing_fuser --workspace_path "$project"
 $limn drawing_viewer --workspace_path "$project" --overwrite 1
