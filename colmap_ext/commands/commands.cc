@@ -73,7 +73,10 @@ int OnFiles(const Command& command, int argc, const char* const* argv,
   Options options;
   OptionParser parser(command.name, command.heading);
   options.AddOptions(&parser);
-  if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
+  if (parser.Parse(argc, argv) == OptionParser::Outcome::kHelp) {
+    parser.WriteHelp(std::cout);
+    return 0;
+  }
   options.Check();
   int num_threads = -1;
   if constexpr (requires { options.num_threads; }) num_threads = options.num_threads;

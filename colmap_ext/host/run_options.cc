@@ -216,7 +216,11 @@ std::optional<OptionParser> ParseRunOptions(const std::string& command, const st
     OptionParser parser(command, summary);
     AddOptions(groups, options, &parser);
     if (add_more) add_more(&parser);
-    if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return std::nullopt;
+    const OptionParser::Outcome outcome = parser.Parse(argc, argv);
+    if (final_pass && outcome == OptionParser::Outcome::kHelp) {
+      parser.WriteHelp(std::cout);
+      return std::nullopt;
+    }
     if (final_pass) {
       options->SetDerived();
       options->Check();

@@ -24,6 +24,7 @@ namespace {
 namespace po = boost::program_options;
 
 constexpr char kProjectPath[] = "project_path";
+constexpr char kHelp[] = "help";
 constexpr char kHelpAll[] = "help_all";
 constexpr char kHelpFormat[] = "help_format";
 constexpr char kWord[] = "word";
@@ -108,6 +109,10 @@ std::string AllValues(const std::vector<po::option>& given, const std::string& n
   return JoinTexts(values);
 }
 
+bool IsHelpOption(const std::string& name) {
+  return name == kHelp || name == kHelpAll || name == kHelpFormat;
+}
+
 std::string GroupOf(const std::string& name) {
   const size_t dot = name.find('.');
   return dot == std::string::npos ? "" : name.substr(0, dot);
@@ -135,9 +140,7 @@ OptionParser::OptionParser(std::string command, std::string summary)
     : command_(std::move(command)), summary_(std::move(summary)) {}
 
 void OptionParser::Add(Option option) {
-  const bool is_taken = option.name == kProjectPath || option.name == "help" ||
-                        option.name == kHelpAll || option.name == kHelpFormat;
-  if (is_taken || Find(option.name)) {
+  if (option.name == kProjectPath || IsHelpOption(option.name) || Find(option.name)) {
     throw std::logic_error("option " + option.name + " is declared twice");
   }
   options_.push_back(std::move(option));
@@ -312,8 +315,15 @@ void OptionParser::ReadIni(const std::string& path) {
   }
 }
 
-OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
-                                          std::ostream& help_out) {
+OptionParser::HelpKind OptionParser::HelpKindOf(const std::string& name, const std::string& value) {
+  if (name == kHelp) return HelpKind::kBasic;
+  if (name == kHelpAll) return HelpKind::kAll;
+  if (value == "man") return HelpKind::kManPage;
+  if (value == "words") return HelpKind::kWords;
+  throw OptionError(std::string(kHelpFormat) + " = " + value + ": must be man or words");
+}
+
+OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv) {
   po::options_description known;
   known.add_options()("help,h", "");
   known.add_options()(kHelpAll, "");
@@ -337,16 +347,13 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
     FailUnknown("--" + name, name);
   }
 
+  help_ = HelpKind::kNone;
   std::set<std::string> seen;
   std::string project_path;
   for (const po::option& option : given) {
-    if (option.string_key == "help" || option.string_key == kHelpAll) {
-      PrintHelp(option.string_key == kHelpAll, help_out);
-      return Outcome::kHelp;
-    }
-    if (option.string_key == kHelpFormat) {
-      PrintHelpFor(option.value.front(), help_out);
-      return Outcome::kHelp;
+    if (IsHelpOption(option.string_key)) {
+      help_ = HelpKindOf(option.string_key, option.value.empty() ? "" : option.value.front());
+      continue;
     }
     if (option.position_key >= 0 || option.string_key.empty()) {
       throw OptionError("unexpected argument '" + option.value.front() + "'");
@@ -360,11 +367,25 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
   }
   if (!project_path.empty()) ReadIni(project_path);
   for (const po::option& option : given) {
-    if (option.string_key != kProjectPath) {
+    if (option.string_key != kProjectPath && !IsHelpOption(option.string_key)) {
       Set(option.string_key, AllValues(given, option.string_key), "");
     }
   }
-  return Outcome::kRun;
+  return help_ == HelpKind::kNone ? Outcome::kRun : Outcome::kHelp;
+}
+
+void OptionParser::WriteHelp(std::ostream& out) const {
+  switch (help_) {
+    case HelpKind::kNone:
+      throw std::logic_error("no help was asked for");
+    case HelpKind::kBasic:
+    case HelpKind::kAll:
+      return PrintHelp(help_ == HelpKind::kAll, out);
+    case HelpKind::kManPage:
+      return WriteManPage(Describe(), out);
+    case HelpKind::kWords:
+      return WriteCompletionWords(Describe(), out);
+  }
 }
 
 void OptionParser::PrintHelp(bool all, std::ostream& out) const {
@@ -399,16 +420,6 @@ CommandDescription OptionParser::Describe() const {
                                option.words, option.help.is_basic});
   }
   return command;
-}
-
-void OptionParser::PrintHelpFor(const std::string& format, std::ostream& out) const {
-  if (format == "man") {
-    WriteManPage(Describe(), out);
-  } else if (format == "words") {
-    WriteCompletionWords(Describe(), out);
-  } else {
-    throw OptionError(std::string(kHelpFormat) + " = " + format + ": must be man or words");
-  }
 }
 
 void OptionParser::WriteIni(std::ostream& out) const {

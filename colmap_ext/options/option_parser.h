@@ -16,7 +16,8 @@ namespace limn {
 //
 //   --workspace_path my_project --Linking.min_length_px 8 --Belief.judge=0
 //   --project_path file.ini     options from a file; the command line overrides it (unlike COLMAP)
-//   -h, --help                  the basic options with their defaults
+//   -h, --help                  the basic options, with the values of this command line: defaults
+//                               where it gives none, those of a --quality that it names
 //   --help_all                  every option
 //   --help_format man|words     the same for programs: a man page, or the words of completion
 //
@@ -51,9 +52,11 @@ class OptionParser {
 
   // Sets the variables. Throws OptionError (one line, naming option and value) for unknown,
   // repeated or incomplete options and bad values, IoError for an ini file that cannot be read. The
-  // variables are unspecified after an exception. kHelp: the help text was written and nothing was
-  // set.
-  Outcome Parse(int argc, const char* const* argv, std::ostream& help_out);
+  // variables are unspecified after an exception. kHelp: a help text was asked for, for WriteHelp.
+  Outcome Parse(int argc, const char* const* argv);
+
+  // The text that was asked for (after Parse), with the current values of the variables.
+  void WriteHelp(std::ostream& out) const;
 
   // Writes every option with its current value, readable with --project_path: first those without a
   // group, then a section per group. Writes to a temporary file and renames it. Throws IoError.
@@ -73,6 +76,8 @@ class OptionParser {
   bool WasGiven(const std::string& name) const;
 
  private:
+  enum class HelpKind { kNone, kBasic, kAll, kManPage, kWords };
+
   struct Option {
     std::string name;
     OptionHelp help;
@@ -85,11 +90,11 @@ class OptionParser {
     bool given = false;
   };
 
+  static HelpKind HelpKindOf(const std::string& name, const std::string& value);
   void Add(Option option);
   void AddWords(const std::string& name, const OptionHelp& help, std::vector<std::string> words,
                 std::function<void(size_t)> set, std::function<size_t()> get);
   void PrintHelp(bool all, std::ostream& out) const;
-  void PrintHelpFor(const std::string& format, std::ostream& out) const;
   Option* Find(const std::string& name);
   bool HasGroupOf(const std::string& name) const;
   // Of an option that is not known: whether it is one that is fixed now. Throws OptionError if it
@@ -105,6 +110,7 @@ class OptionParser {
   std::string summary_;
   std::vector<Option> options_;       // in the order of the calls
   std::vector<std::string> retired_;  // given
+  HelpKind help_ = HelpKind::kNone;
 };
 
 template <typename Enum>

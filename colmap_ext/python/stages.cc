@@ -319,7 +319,7 @@ std::string EvaluateAsJson(std::shared_ptr<const SceneDrawing> drawing, const Op
   OptionParser parser("evaluate", "");
   evaluator.AddOptions(&parser);
   const CommandLine line("evaluate", options);
-  parser.Parse(line.argc(), line.argv(), std::cout);
+  parser.Parse(line.argc(), line.argv());
   if (drawing) evaluator.input_path = kDrawingInMemory;
   if (drawing && drawing->scene) {
     const Scene& scene = drawing->scene->scene;
@@ -341,7 +341,7 @@ void ExportDrawing(std::shared_ptr<const SceneDrawing> drawing, const OptionText
   OptionParser parser("export", "");
   exporter.AddOptions(&parser);
   const CommandLine line("export", options);
-  parser.Parse(line.argc(), line.argv(), std::cout);
+  parser.Parse(line.argc(), line.argv());
   if (drawing) exporter.input_path = kDrawingInMemory;
   exporter.Check();
   LibraryConsole console(/*num_threads=*/-1, monitor);

@@ -52,6 +52,22 @@ fs::path FindDatabase(const Scene& scene, const LayoutOptions& layout) {
   return {};
 }
 
+// Earth-fixed positions, which have no up of their own, become geographic ones. Whether they did.
+bool MakeGeographic(PosePriors* priors) {
+  std::vector<Eigen::Vector3d> positions;
+  for (const auto& [image, prior] : *priors) {
+    if (prior.position && !prior.is_geographic) positions.push_back(*prior.position);
+  }
+  if (!AreEarthFixed(positions)) return false;
+  for (auto& [image, prior] : *priors) {
+    if (!prior.position) continue;
+    const GeoPosition at = GeoFromEarthFixed(*prior.position);
+    prior.position = {at.latitude_deg, at.longitude_deg, at.altitude_m};
+    prior.is_geographic = true;
+  }
+  return true;
+}
+
 // Geographic positions in a local frame, also with latitude and longitude exchanged if that is on
 // earth.
 void SetPositions(const std::vector<std::pair<ViewId, Eigen::Vector3d>>& geographic,
@@ -375,6 +391,9 @@ SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
     PosePriors stored = ReadPriorsOf(of_images, scene.view_set(), database);
     if (!options.use_positions) {
       for (auto& [image, prior] : stored) prior.position.reset();
+    }
+    if (MakeGeographic(&stored)) {
+      console->Say("alignment: positions are earth-centered (ECEF): taken as geographic ones");
     }
     priors_ = PriorsOfViews(stored, of_images, scene.view_set());
   } catch (const IoError& error) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "colmap_ext/dense_files/moved_files.h"
+#include "colmap_ext/dense_files/products.h"
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/model/transform_model.h"
@@ -146,8 +147,22 @@ fs::path DenseFolder(const Project& project, const RunOptions& options) {
   return dense.empty() || is_elsewhere ? workspace : dense;
 }
 
-void SayDense(const MovedFiles& moved, const Project& project, const fs::path& dense,
-              Console* console) {
+// Depth maps and PMVS's patches.
+void SayLeftOut(const Project& project, const fs::path& workspace, const fs::path& dense,
+                Console* console) {
+  std::error_code ignored;
+  if (!dense.empty() && fs::exists(dense / "stereo", ignored)) {
+    console->Say("NOTE: " + (dense / "stereo").string() +
+                 " is left out: depth maps are in the unit of the model");
+  }
+  const auto pmvs = LookForDenseProducts({"pmvs", ""}, workspace, project.layout().dense_dir);
+  if (pmvs) {
+    console->Say("NOTE: " + pmvs->path.parent_path().string() +
+                 " is left out: patches belong to PMVS's own projection matrices");
+  }
+}
+
+void SayDense(const MovedFiles& moved, const Project& project, Console* console) {
   for (const std::string& reason : moved.left_out) {
     console->Say("WARNING: " + reason + ": left out");
   }
@@ -157,11 +172,6 @@ void SayDense(const MovedFiles& moved, const Project& project, const fs::path& d
         "WARNING: the drawing fits refined cameras, but these were made with the cameras as "
         "given: " +
         ListNames(moved.names));
-  }
-  std::error_code ignored;
-  if (!dense.empty() && fs::exists(dense / "stereo", ignored)) {
-    console->Say("NOTE: " + (dense / "stereo").string() +
-                 " is left out: depth maps are in the unit of the model");
   }
 }
 
@@ -205,7 +215,8 @@ void WriteAlignedProject(const Project& project, const RunOptions& options,
     if (frame.HasOffset()) WriteOffset(frame, folder);
   });
   SayImages(have_links, project, path, console);
-  SayDense(moved, project, dense, console);
+  SayDense(moved, project, console);
+  SayLeftOut(project, options.layout.workspace_path, dense, console);
   std::string files = "sparse/, drawing.{json,ply,obj}";
   if (HasViewerPage()) files += std::string(", ") + kViewerPage;
   for (const std::string& name : moved.names) files += ", " + name;

@@ -8,7 +8,11 @@ namespace limn::bench {
 int BenchMain(int argc, const char* const* argv, OptionParser* parser,
               const std::function<void()>& run) {
   try {
-    if (parser->Parse(argc, argv, std::cout) == OptionParser::Outcome::kRun) run();
+    if (parser->Parse(argc, argv) == OptionParser::Outcome::kHelp) {
+      parser->WriteHelp(std::cout);
+    } else {
+      run();
+    }
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "ERROR: " << error.what() << '\n';

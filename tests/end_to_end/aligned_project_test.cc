@@ -101,6 +101,8 @@ class AlignedProject : public ::testing::Test {
     fs::create_directory_symlink(LIMN_SAMPLE_DIR "/day/images", Path("images"));
     fs::copy(DrawnSample(), Path("drawing.json"));
     fs::create_directories(Path("stereo/depth_maps"));
+    fs::create_directories(Path("pmvs/models"));
+    dir_.WriteFile("pmvs/models/option-0000.ply", PlanePly({}));
     dir_.WriteFile("fused.ply", PlanePly({}));
     std::string lists(8, '\0');
     const uint64_t count = PlanePoints().size();
@@ -183,6 +185,7 @@ TEST_F(AlignedProject, AllOfItIsInOneWorld) {
   EXPECT_FALSE(fs::exists(Aligned("stereo")));
   EXPECT_THAT(run.out + run.err,
               AllOf(HasSubstr("stereo is left out: depth maps are in the unit of the model"),
+                    HasSubstr("pmvs/models is left out"),
                     HasSubstr("Written: " + Aligned().parent_path().string())));
   EXPECT_EQ(fs::canonical(Aligned("images")), fs::canonical(Path("images")));
   EXPECT_TRUE(fs::read_symlink(Aligned("images")).is_relative());

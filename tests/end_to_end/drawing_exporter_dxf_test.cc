@@ -25,6 +25,7 @@ void ExpectSoundFile(const json& read) {
   EXPECT_EQ(read.at("errors"), json::array());
   EXPECT_EQ(read.at("fixes"), json::array());
   std::set<int> handles;
+  EXPECT_EQ(read.at("plot_styles"), json::array({read.at("default_plot_style")}));
   for (const int handle : read.at("handles")) {
     EXPECT_TRUE(handles.insert(handle).second) << "handle " << handle << " is not unique";
     EXPECT_LT(handle, read.at("seed").get<int>());

@@ -1,7 +1,6 @@
 #include "colmap_ext/options/retired_options.h"
 
 #include <fstream>
-#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,8 +25,7 @@ struct Command {
 
   void Parse(std::vector<const char*> arguments) {
     arguments.insert(arguments.begin(), "command");
-    std::ostringstream ignored;
-    parser.Parse(static_cast<int>(arguments.size()), arguments.data(), ignored);
+    parser.Parse(static_cast<int>(arguments.size()), arguments.data());
   }
 
   std::string ErrorOf(const std::vector<const char*>& arguments) {

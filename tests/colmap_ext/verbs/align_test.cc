@@ -8,6 +8,7 @@
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/test_database.h"
+#include "limn/alignment/geodetic.h"
 #include "limn/alignment/wire_room.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
@@ -151,6 +152,23 @@ TEST_F(AlignmentRun, GravityAndPlacesOfADatabaseAboveTheModel) {
   EXPECT_THAT(console_.text(), HasSubstr("alignment: " + Database() +
                                          " has positions of 8 and gravity of 8 of 8 images\n"));
   EXPECT_THAT(console_.log().warnings, IsEmpty());
+}
+
+TEST_F(AlignmentRun, EarthCenteredPositionsAreGeographicOnes) {
+  WritePhotographs();
+  std::vector<StoredPrior> priors = Priors();
+  for (StoredPrior& prior : priors) {
+    const Eigen::Vector3d at = prior.position;
+    prior.position = EarthFixed({at.x(), at.y(), at.z()});
+    prior.coordinate_system = 1;
+    prior.gravity.setConstant(limn::testing::kNotGiven);
+  }
+  WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
+  const Alignment alignment = Align();
+  EXPECT_EQ(alignment.up, UpSource::kPositions);
+  EXPECT_EQ(alignment.scale, ScaleSource::kPositions);
+  ExpectTruth(alignment);
+  EXPECT_THAT(console_.text(), HasSubstr("earth-centered (ECEF)"));
 }
 
 TEST_F(AlignmentRun, GravityThatIsNotUsedGetsAReason) {

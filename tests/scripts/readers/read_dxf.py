@@ -121,6 +121,8 @@ def main():
         "layers": {layer.dxf.name: layer.dxf.color for layer in document.layers},
         "line_types": {layer.dxf.name: layer.dxf.linetype for layer in document.layers},
         "line_weights": {layer.dxf.name: layer.dxf.lineweight for layer in document.layers},
+        "plot_styles": sorted({layer.dxf.get("plotstyle_handle", "") for layer in document.layers}),
+        "default_plot_style": document.rootdict["ACAD_PLOTSTYLENAME"].dxf.default,
         "line_type_scale": document.header["$LTSCALE"],
         "sheet": describe_sheet(document) if len(document.layout()) else None,
         "model_space": document.modelspace().layout_key,

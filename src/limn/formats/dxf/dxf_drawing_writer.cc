@@ -128,8 +128,7 @@ void WriteDrawingDxf(const DrawingGraph& graph, const DxfOptions& options, Lengt
   std::ostringstream body;
   DxfWriter writer(body);
   int next_handle = 1;
-  writer.BeginSection("CLASSES");
-  writer.EndSection();
+  PutDxfClasses(&writer);
   const DxfSpaces spaces = PutDxfTables(plan.layers, extent, dimensions, &next_handle, &writer);
   PutDxfBlocks(spaces, dimensions, &next_handle, &writer);
   writer.BeginSection("ENTITIES");
@@ -143,7 +142,7 @@ void WriteDrawingDxf(const DrawingGraph& graph, const DxfOptions& options, Lengt
   if (options.plan) layout = options.plan->layout;
   if (layout) PutPaperSpace(*layout, extent, records.paper, &next_handle, &writer);
   writer.EndSection();
-  PutDxfObjects(records, layout, extent, &next_handle, &writer);
+  PutDxfObjects(spaces, layout, extent, &next_handle, &writer);
   writer.Put(0, "EOF");
 
   DxfWriter header(out);

@@ -13,6 +13,9 @@ namespace {
 constexpr const char* kModelSpace = "*Model_Space";
 constexpr const char* kPaperSpace = "*Paper_Space";
 
+constexpr const char* kDictionaryWithDefault = "ACDBDICTIONARYWDFLT";
+constexpr const char* kPlaceholder = "ACDBPLACEHOLDER";
+
 class TableWriter {
  public:
   TableWriter(int* next_handle, DxfWriter* writer) : next_handle_(next_handle), writer_(*writer) {}
@@ -45,11 +48,11 @@ class TableWriter {
 
   void Viewport(const Eigen::AlignedBox3d& extent);
   void LineTypes();
-  void Layers(const std::vector<DxfLayer>& layers);
+  void Layers(const std::vector<DxfLayer>& layers, int plot_style);
   void TextStyles();
   void Applications();
   void DimensionStyles(const DxfDimensions& dimensions);
-  DxfSpaces BlockRecords(size_t num_dimensions);
+  void BlockRecords(size_t num_dimensions, DxfSpaces* spaces);
 
  private:
   int* next_handle_;
@@ -122,7 +125,7 @@ void TableWriter::LineTypes() {
   End();
 }
 
-void TableWriter::Layers(const std::vector<DxfLayer>& layers) {
+void TableWriter::Layers(const std::vector<DxfLayer>& layers, int plot_style) {
   Begin("LAYER", layers.size() + 1);
   const auto put = [&](const DxfLayer& layer) {
     Entry("LAYER", "AcDbLayerTableRecord", layer.name);
@@ -130,6 +133,7 @@ void TableWriter::Layers(const std::vector<DxfLayer>& layers) {
     writer_.Put(62, layer.color);
     writer_.Put(6, DxfLineTypeName(layer.line_type));
     writer_.Put(370, layer.line_weight);
+    writer_.PutHandle(390, plot_style);
   };
   put({"0"});
   for (const DxfLayer& layer : layers) put(layer);
@@ -182,9 +186,8 @@ void TableWriter::DimensionStyles(const DxfDimensions& dimensions) {
   End();
 }
 
-DxfSpaces TableWriter::BlockRecords(size_t num_dimensions) {
-  DxfSpaces spaces;
-  DxfLayoutRecords& records = spaces.records;
+void TableWriter::BlockRecords(size_t num_dimensions, DxfSpaces* spaces) {
+  DxfLayoutRecords& records = spaces->records;
   records.model_layout = (*next_handle_)++;
   records.paper_layout = (*next_handle_)++;
   Begin("BLOCK_RECORD", 2 + num_dimensions);
@@ -193,11 +196,10 @@ DxfSpaces TableWriter::BlockRecords(size_t num_dimensions) {
   records.paper = Entry("BLOCK_RECORD", "AcDbBlockTableRecord", kPaperSpace);
   writer_.PutHandle(340, records.paper_layout);
   for (size_t i = 0; i < num_dimensions; ++i) {
-    spaces.dimensions.push_back(
+    spaces->dimensions.push_back(
         Entry("BLOCK_RECORD", "AcDbBlockTableRecord", DimensionBlockName(i)));
   }
   End();
-  return spaces;
 }
 
 struct Block {
@@ -230,13 +232,33 @@ void PutBlock(const Block& block, int* next_handle, DxfWriter* writer) {
 
 }  // namespace
 
+void PutDxfClasses(DxfWriter* writer) {
+  struct Class {
+    const char* record;
+    const char* name;
+  };
+  writer->BeginSection("CLASSES");
+  for (const auto& [record, name] : {Class{kDictionaryWithDefault, "AcDbDictionaryWithDefault"},
+                                     {kPlaceholder, "AcDbPlaceHolder"},
+                                     {"LAYOUT", "AcDbLayout"}}) {
+    writer->Put(0, "CLASS");
+    writer->Put(1, record);
+    writer->Put(2, name);
+    writer->Put(3, "ObjectDBX Classes");
+    for (const int code : {90, 280, 281}) writer->Put(code, 0);
+  }
+  writer->EndSection();
+}
+
 DxfSpaces PutDxfTables(const std::vector<DxfLayer>& layers, const Eigen::AlignedBox3d& extent,
                        const DxfDimensions& dimensions, int* next_handle, DxfWriter* writer) {
+  DxfSpaces spaces;
+  spaces.plot_style = (*next_handle)++;
   writer->BeginSection("TABLES");
   TableWriter tables(next_handle, writer);
   tables.Viewport(extent);
   tables.LineTypes();
-  tables.Layers(layers);
+  tables.Layers(layers, spaces.plot_style);
   tables.TextStyles();
   for (const char* name : {"VIEW", "UCS"}) {
     tables.Begin(name, 0);
@@ -244,7 +266,7 @@ DxfSpaces PutDxfTables(const std::vector<DxfLayer>& layers, const Eigen::Aligned
   }
   tables.Applications();
   tables.DimensionStyles(dimensions);
-  const DxfSpaces spaces = tables.BlockRecords(dimensions.all.size());
+  tables.BlockRecords(dimensions.all.size(), &spaces);
   writer->EndSection();
   return spaces;
 }
@@ -267,13 +289,14 @@ void PutDxfBlocks(const DxfSpaces& spaces, const DxfDimensions& dimensions, int*
   writer->EndSection();
 }
 
-void PutDxfObjects(const DxfLayoutRecords& records, const std::optional<DxfLayout>& layout,
+void PutDxfObjects(const DxfSpaces& spaces, const std::optional<DxfLayout>& layout,
                    const Eigen::AlignedBox3d& extent, int* next_handle, DxfWriter* writer) {
   const int root = (*next_handle)++;
   const int groups = (*next_handle)++;
   const int layouts = (*next_handle)++;
-  const auto begin = [&](int handle, int owner) {
-    writer->Put(0, "DICTIONARY");
+  const int plot_styles = (*next_handle)++;
+  const auto begin = [&](int handle, int owner, const char* type = "DICTIONARY") {
+    writer->Put(0, type);
     writer->PutHandle(5, handle);
     writer->PutHandle(330, owner);
     writer->Put(100, "AcDbDictionary");
@@ -285,8 +308,18 @@ void PutDxfObjects(const DxfLayoutRecords& records, const std::optional<DxfLayou
   writer->PutHandle(350, groups);
   writer->Put(3, "ACAD_LAYOUT");
   writer->PutHandle(350, layouts);
+  writer->Put(3, "ACAD_PLOTSTYLENAME");
+  writer->PutHandle(350, plot_styles);
   begin(groups, root);
-  PutDxfLayouts(layout, extent, records, root, layouts, writer);
+  PutDxfLayouts(layout, extent, spaces.records, root, layouts, writer);
+  begin(plot_styles, root, kDictionaryWithDefault);
+  writer->Put(3, "Normal");
+  writer->PutHandle(350, spaces.plot_style);
+  writer->Put(100, "AcDbDictionaryWithDefault");
+  writer->PutHandle(340, spaces.plot_style);
+  writer->Put(0, kPlaceholder);
+  writer->PutHandle(5, spaces.plot_style);
+  writer->PutHandle(330, plot_styles);
   writer->EndSection();
 }
 

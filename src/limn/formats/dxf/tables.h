@@ -14,6 +14,8 @@ namespace limn {
 
 struct DxfSpaces {
   DxfLayoutRecords records;
+  // Handle of the one of all layers.
+  int plot_style = 0;
   // Block records of the pictures of dimensions.
   std::vector<int> dimensions;
 };
@@ -23,6 +25,9 @@ struct DxfDimensions {
   double text_height = 1;
 };
 
+// The section CLASSES: of the objects that are not in DXF itself.
+void PutDxfClasses(DxfWriter* writer);
+
 // Writes the section TABLES: the entries that AutoCAD requires, the layers, and a top view of all
 // of `extent` (which may be empty), and the style of dimensions, if there are any. Uses handles
 // from `*next_handle` on.
@@ -30,10 +35,10 @@ DxfSpaces PutDxfTables(const std::vector<DxfLayer>& layers, const Eigen::Aligned
                        const DxfDimensions& dimensions, int* next_handle, DxfWriter* writer);
 
 // The sections BLOCKS and OBJECTS, with the empty blocks of the two spaces, the pictures of
-// dimensions, the dictionary that every file must have, and the layouts of the spaces.
+// dimensions, the dictionaries that every file must have, and the layouts of the spaces.
 void PutDxfBlocks(const DxfSpaces& spaces, const DxfDimensions& dimensions, int* next_handle,
                   DxfWriter* writer);
-void PutDxfObjects(const DxfLayoutRecords& records, const std::optional<DxfLayout>& layout,
+void PutDxfObjects(const DxfSpaces& spaces, const std::optional<DxfLayout>& layout,
                    const Eigen::AlignedBox3d& extent, int* next_handle, DxfWriter* writer);
 
 }  // namespace limn
