@@ -16,7 +16,7 @@
 #include "colmap_ext/host/interrupt.h"
 #include "colmap_ext/host/ranks.h"
 #include "colmap_ext/host/terminal_console.h"
-#include "colmap_ext/host/version_line.h"
+#include "colmap_ext/host/version_text.h"
 #include "colmap_ext/options/command_help.h"
 #include "colmap_ext/workspace/error_line.h"
 #include "colmap_ext/workspace/quiet_decoders.h"
@@ -73,7 +73,7 @@ void PrintHelpOf(const char* name) {
 bool PrintHelp(int argc, const char* const* argv) {
   const std::string_view name = argc > 1 ? argv[1] : "help";
   if (name == "--version") {
-    std::printf("%s\n", VersionLine().c_str());
+    std::printf("%s\n", VersionText().c_str());
     return true;
   }
   if (name != "help" && name != "-h" && name != "--help") return false;

@@ -32,7 +32,7 @@ COLMAP_EXT_LAYERS = [
     ["workspace"],
     ["dense_files", "import"],
     ["host"],
-    ["verbs"],
+    ["verbs", "plugins"],
     ["commands", "adapter"],
     ["python"],
 ]
@@ -59,7 +59,8 @@ THIRD_PARTY = {
     "oneapi/tbb": ["src/limn/util/parallel.cc"],
     "boost/geometry/": ["src/limn/geometry/box_index2d.cc", "src/limn/geometry/triangle_index.cc"],
     "boost/program_options": ["colmap_ext/options/"],
-    "boost/mpi/": ["colmap_ext/host/ranks.cc"],
+    "boost/mpi/": ["colmap_ext/plugins/mpi.cc"],
+    "boost/dll/": ["colmap_ext/host/plugin.cc", "colmap_ext/plugins/"],
     **{prefix: ["colmap_ext/adapter/"] for prefix in ("colmap/", "base/", "util/")},
     "glog/": ["colmap_ext/adapter/", "src/limn/util/quiet_solver.cc"],
     "boost/sort/": ["src/limn/edges/edgel_selection.cc"],
@@ -72,7 +73,7 @@ THIRD_PARTY = {
 }
 
 # Made by the build, of no module.
-GENERATED = {"limn/version.h", "limn/commit.h"}
+GENERATED = {"limn/version.h", "limn/commit.h", "limn/libraries.h"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 

@@ -7,13 +7,13 @@
 
 namespace limn::colmap_ext {
 
-// The processes that mpirun or srun started together: a thin layer over Boost.MPI. A process
-// started on its own is rank 0 of 1.
+// The processes that mpirun or srun started together, by MPI (mpi_backend.h). A process started on
+// its own is rank 0 of 1.
 
 // Initializes MPI during its lifetime; for main.
 class MpiSession {
  public:
-  // Throws OptionError if the process was started by MPI but Limn was built without it.
+  // Throws OptionError if the process was started by MPI but there is no plug-in for it.
   MpiSession();
   // Waits for the other ranks.
   ~MpiSession();

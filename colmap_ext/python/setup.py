@@ -1,5 +1,6 @@
-"""Builds the package with CMake: in build/wheel of the repository, or of an existing build tree of the same sources if
-the environment variable LIMN_BUILD_DIR names one. LIMN_CMAKE_ARGS has more arguments for CMake."""
+"""Builds the package with CMake: in build/release of the repository if that has it for this Python, or else in
+build/wheel; or in another build tree of the same sources that the environment variable LIMN_BUILD_DIR names.
+LIMN_CMAKE_ARGS has more arguments for CMake, in build/wheel."""
 
 import os
 import re
@@ -14,6 +15,7 @@ from setuptools.command.build_ext import build_ext
 
 SOURCE = Path(__file__).resolve().parents[2]
 OWN_BUILD = SOURCE / "build/wheel"
+FINISHED_BUILD = SOURCE / "build/release"
 
 
 def version():
@@ -25,7 +27,9 @@ def version():
 
 class BuildWithCmake(build_ext):
     def build_extension(self, ext):
-        folder = Path(os.environ.get("LIMN_BUILD_DIR", OWN_BUILD))
+        target = Path(self.get_ext_fullpath(ext.name)).resolve()
+        is_finished = (FINISHED_BUILD / "python/limn" / target.name).exists()
+        folder = Path(os.environ.get("LIMN_BUILD_DIR", FINISHED_BUILD if is_finished else OWN_BUILD))
         if folder == OWN_BUILD:
             generator = ["-G", "Ninja"] if shutil.which("ninja") else []
             subprocess.run(["cmake", "-S", SOURCE, "-B", folder, *generator, "-DCMAKE_BUILD_TYPE=Release",
@@ -34,7 +38,6 @@ class BuildWithCmake(build_ext):
                             *shlex.split(os.environ.get("LIMN_CMAKE_ARGS", ""))], check=True)
         subprocess.run(["cmake", "--build", folder, "--target", "limn_python_package", "--parallel",
                         str(os.cpu_count())], check=True)
-        target = Path(self.get_ext_fullpath(ext.name)).resolve()
         target.parent.mkdir(parents=True, exist_ok=True)
         for name in (target.name, "_limn.pyi"):
             shutil.copy(folder / "python/limn" / name, target.parent)

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "colmap_ext/host/plugin.h"
 #include "colmap_ext/import/new_model_folder.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
@@ -263,6 +264,7 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
         is_svg ? std::move(scene.graph) : PutPlan(std::move(scene), options, metadata, &format.dxf);
   }
   ThrowIfCancelled(console->context());
+  if (FormatName(options) == "step") format.write_step = LoadStepWriter();
   if (FormatName(options) == "step" && frame.unit == LengthUnit::kNone) {
     console->Say(
         "WARNING: the unit of the coordinates is not known (--unit, --aligned 1): one is a "

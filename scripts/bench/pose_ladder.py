@@ -202,7 +202,7 @@ def parsed():
 
 def body():
     arguments = parsed()
-    commit = Run([arguments.limn, "--version"]).output.strip()
+    commit = Run([arguments.limn, "--version"]).output.splitlines()[0]
     cases = []
     for name in arguments.sets:
         for error, seed in cases_of(name, arguments):

@@ -73,7 +73,11 @@ function(limn_installed_library name)
 endfunction()
 
 limn_modules_in(${PROJECT_SOURCE_DIR}/src/limn modules)
+list(REMOVE_ITEM modules limn_step)
 limn_installed_library(limn EXPORT_NAME limn MODULES ${modules})
+if(LIMN_WITH_STEP)
+  limn_installed_library(limn_step EXPORT_NAME step MODULES limn_step DEPENDS limn)
+endif()
 limn_installed_library(limn_colmap_workspace EXPORT_NAME colmap_workspace
   MODULES limn_colmap_model limn_workspace DEPENDS limn)
 foreach(kind ${library_kinds})

@@ -26,6 +26,21 @@ limn_package(program limn
  Limn finds the curves in the photographs of a COLMAP project, reconstructs them in space and joins them into a graph.")
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/limn COMPONENT program)
+# Its plug-ins, which bring OpenCASCADE and MPI.
+set(plugin_of_step "export as STEP files")
+set(plugin_of_mpi "runs on several hosts by MPI")
+get_property(plugins GLOBAL PROPERTY LIMN_PLUGINS)
+foreach(plugin ${plugins})
+  list(APPEND CPACK_COMPONENTS_ALL plugin_${plugin})
+  list(APPEND recommended limn-${plugin})
+  limn_package(plugin_${plugin} limn-${plugin}
+    DESCRIPTION "3D drawings from COLMAP projects, ${plugin_of_${plugin}}
+ A part of the program limn that it loads when it is needed."
+    DEPENDS "limn (= ${PROJECT_VERSION})")
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/limn-${plugin} COMPONENT plugin_${plugin})
+endforeach()
+list(JOIN recommended ", " CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS)
 
 set(dev_packages libeigen3-dev)
 if(NOT BUILD_SHARED_LIBS)

@@ -37,7 +37,7 @@ cmake --build "$work/build" || fail "the project is not built"
 
 printf 'view_0%d.jpg\n' 0 1 2 3 4 5 >"$work/images.txt"
 "$work/build/consumer" "$source_dir/datasets/sample/day" "$work/images.txt" "$work/drawing.json" | tee "$work/said"
-grep -q -E '^limn 0\.2\.[0-9]+: [1-9][0-9]+ links in 6 images$' "$work/said" || fail "too little was drawn"
+grep -q -E '^limn 0\.3\.[0-9]+: [1-9][0-9]+ links in 6 images$' "$work/said" || fail "too little was drawn"
 
 # It is the library of the program.
 "$build/limn" automatic_drawer --workspace_path "$source_dir/datasets/sample/day" --image_list_path "$work/images.txt" \
@@ -48,5 +48,5 @@ cmp <(grep -v '^"options"' "$work/drawing.json") <(grep -v '^"options"' "$work/p
 if [[ $kind == shared ]]; then
   # Not through a pipe, which grep closes before ldd has ended.
   ldd "$work/build/consumer" >"$work/libraries"
-  grep -q 'liblimn\.so\.0\.2 => '"$prefix" "$work/libraries" || fail "it does not use the shared library"
+  grep -q 'liblimn\.so\.0\.3 => '"$prefix" "$work/libraries" || fail "it does not use the shared library"
 fi

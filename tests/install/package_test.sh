@@ -6,22 +6,10 @@
 set -euo pipefail
 build=$1 with_python=$2
 here=$(cd "$(dirname "$0")" && pwd)
-sample=$(cd "$here/../../datasets/sample/day" && pwd)
-
-skip() {
-  echo "SKIPPED: $*"
-  exit 77
-}
-fail() {
-  echo "FAILED: $*" >&2
-  exit 1
-}
-command -v mmdebstrap >/dev/null || skip "mmdebstrap is not installed"
-((EUID == 0)) || skip "a root of its own needs root"
+source "$here/bare_root.sh"
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-root=$work/root
 
 (cd "$work" && cpack --config "$build/CPackConfig.cmake" -B "$work/packages" >"$work/cpack.log") ||
   { cat "$work/cpack.log"; fail "cpack"; }
@@ -30,21 +18,7 @@ package=limn_${version}_amd64.deb
 [[ -f $work/packages/$package ]] || fail "there is no $package: $(ls "$work/packages")"
 dpkg-deb --info "$work/packages/$package"
 
-sources=()
-for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
-  [[ ! -s $file ]] || sources+=("$file")
-done
-timeout 300 mmdebstrap --quiet --variant=apt --aptopt='Acquire::Retries "2"' --aptopt='Acquire::http::Timeout "30"' \
-  bookworm "$root" "${sources[@]}" 2>"$work/mmdebstrap.log" ||
-  { cat "$work/mmdebstrap.log"; skip "no Debian root can be made here"; }
-
-proxies=()
-for name in http_proxy https_proxy no_proxy; do
-  [[ -z ${!name:-} ]] || proxies+=("$name=${!name}")
-done
-in_root() {
-  timeout 600 chroot "$root" env -i "${proxies[@]}" PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"
-}
+make_root bookworm "$work/root" "$work"
 install_package() {
   cp "$work/packages/$1" "$root/root/"
   in_root apt-get install -y -q --no-install-recommends "/root/$1" >"$work/apt.log" 2>&1 ||
@@ -59,15 +33,22 @@ for file in man/man1/limn.1 man/man1/limn-automatic_drawer.1 bash-completion/com
   [[ -s $root/usr/share/$file ]] || fail "/usr/share/$file is missing"
 done
 
-mkdir "$root/root/project"
-cp -r "$sample/images" "$sample/sparse" "$root/root/project/"
-printf 'view_0%d.jpg\n' 0 1 2 3 4 5 >"$root/root/images.txt"
-in_root limn automatic_drawer --workspace_path /root/project --image_list_path /root/images.txt \
-  --quality low --max_image_size 320 --output_path /root/drawn
+put_project
+in_root limn automatic_drawer "${few_images[@]}" --output_path /root/drawn
 for file in drawing.json drawing.ply drawing.obj; do
   [[ -s $root/root/drawn/$file ]] || fail "$file is missing"
 done
 in_root limn drawing_exporter --input_path /root/drawn/drawing.json --output_path /root/drawn/drawing.glb
+# OpenCASCADE and MPI come with the plug-ins.
+if in_root sh -c 'ldconfig -p | grep -q -E "libTK|libmpi"'; then fail "the program brings OpenCASCADE or MPI"; fi
+in_root limn drawing_exporter --input_path /root/drawn/drawing.json --output_path /root/drawn/drawing.step 2>"$work/refused" &&
+  fail "STEP without its plug-in"
+grep -q "limn_step.so: this part of Limn is not installed" "$work/refused" || fail "$(cat "$work/refused")"
+for plugin in "$work"/packages/limn-*_amd64.deb; do
+  install_package "$(basename "$plugin")"
+done
+[[ ! -f $work/packages/limn-step_${version}_amd64.deb ]] ||
+  in_root limn drawing_exporter --input_path /root/drawn/drawing.json --output_path /root/drawn/drawing.step
 
 if [[ $with_python == 1 ]]; then
   install_package "python3-limn_${version}_amd64.deb"

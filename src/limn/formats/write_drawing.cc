@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include "limn/files/atomic_file.h"
 #include "limn/formats/graphml_drawing_writer.h"
@@ -39,7 +40,6 @@ void WriteSvg(const Job& job, std::ostream& out) {
   }
 }
 
-#ifdef LIMN_WITH_STEP
 // `what` begins with what the ids are those of.
 std::string NoteOn(const std::vector<int>& ids, size_t count, const std::string& what) {
   constexpr size_t kMaxNamed = 10;
@@ -52,7 +52,8 @@ std::string NoteOn(const std::vector<int>& ids, size_t count, const std::string&
 
 void WriteStep(const Job& job, std::ostream& out) {
   const size_t num_faces = job.graph.faces.size();
-  const StepNotes notes = WriteDrawingStep(job.graph, job.options.step, job.options.unit, out);
+  const StepNotes notes =
+      job.options.write_step(job.graph, job.options.step, job.options.unit, out);
   if (!notes.apart.empty()) {
     job.left_out->push_back(
         NoteOn(notes.apart, num_faces,
@@ -71,7 +72,6 @@ void WriteStep(const Job& job, std::ostream& out) {
                                    "valid solid"));
   }
 }
-#endif
 
 // One line per format.
 const std::vector<Format>& Formats() {
@@ -106,9 +106,7 @@ const std::vector<Format>& Formats() {
       {"graphml",
        {".graphml"},
        [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, job.options.unit, out); }},
-#ifdef LIMN_WITH_STEP
       {"step", {".step", ".stp"}, [](const Job& job, Out& out) { WriteStep(job, out); }},
-#endif
   };
   return formats;
 }
@@ -138,12 +136,7 @@ const Format& FormatByExtension(const std::string& path) {
       return format;
     }
   }
-#ifdef LIMN_WITH_STEP
-  const std::string missing;
-#else
-  const std::string missing = " (.step: only by a limn that is built with OpenCASCADE)";
-#endif
-  throw IoError(path, "unknown extension; drawings are written as " + JoinedExtensions() + missing);
+  throw IoError(path, "unknown extension; drawings are written as " + JoinedExtensions());
 }
 
 const Format& FormatOf(const std::string& path, const DrawingFormatOptions& options) {
@@ -171,6 +164,9 @@ std::vector<std::string> WriteDrawing(const OutputPath& path, const DrawingGraph
   const std::string wrong = metadata.alignment ? Validate(*metadata.alignment) : "";
   if (!wrong.empty()) throw InputError("no valid alignment: " + wrong);
   const Format& format = FormatOf(path.string(), options);
+  if (std::string_view(format.name) == "step" && !options.write_step) {
+    throw IoError(path.string(), "STEP files need the writer of limn::step (write_step)");
+  }
   std::vector<std::string> left_out;
   WriteFileAtomically(path, [&](std::ostream& out) {
     format.write({graph, metadata, options, &left_out}, out);

@@ -37,6 +37,8 @@ struct DrawingFormatOptions {
   DxfOptions dxf;
   GlbOptions glb;
   StepOptions step;
+  // &WriteDrawingStep; without it no STEP files are written.
+  StepWriter write_step = nullptr;
   SvgPicture svg;
   // Of the coordinates: formats that have a unit of their own are converted to it (STEP, GLB),
   // others tell it.
@@ -44,7 +46,7 @@ struct DrawingFormatOptions {
 };
 
 // The names of the formats for drawings: "ply", "obj", ..., and "faces", a .ply file of the faces
-// alone. Builds without OpenCASCADE lack "step".
+// alone.
 std::vector<std::string> DrawingFormats();
 
 // The name of the format of a drawing written to this path. Throws IoError if there is none.

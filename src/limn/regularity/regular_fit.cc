@@ -149,6 +149,7 @@ class RegularFit {
       SetManifolds(&problem);
       ceres::Solver::Options options;
       options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+      options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
       options.max_num_iterations = kIterations;
       options.function_tolerance = 1e-12;
       options.parameter_tolerance = 1e-12;

@@ -54,7 +54,7 @@ class Package(unittest.TestCase):
         cls.left = set(PACKAGE.rglob("*")) - before
         run(sys.executable, "-m", "venv", "--system-site-packages", cls.folder / "venv")
         cls.python = cls.folder / "venv/bin/python"
-        (wheel,) = cls.folder.glob("limn-*.whl")
+        (wheel,) = cls.folder.glob("limn_colmap-*.whl")
         run(cls.python, "-m", "pip", "install", "--no-deps", "--no-index", wheel, env=cls.environment)
 
     def python_says(self, *arguments):
@@ -74,21 +74,39 @@ class Package(unittest.TestCase):
             self.assertTrue((self.folder / "out" / name).exists(), name)
         self.assertIn("median standard deviation", self.python_says(PACKAGE / "examples/from_memory.py", scenes.DAY))
 
-    def test_is_configured_without_a_build_tree(self):
-        source, tools = self.folder / "source", self.folder / "tools"
-        for name in ("src", "colmap_ext", "scripts"):
-            shutil.copytree(ROOT / name, source / name)
-        for name in ("CMakeLists.txt", "LICENSE"):
-            shutil.copy(ROOT / name, source)
+    def copy_of_sources(self, name):
+        source = self.folder / name
+        for folder in ("src", "colmap_ext", "scripts"):
+            shutil.copytree(ROOT / folder, source / folder)
+        for file in ("CMakeLists.txt", "LICENSE"):
+            shutil.copy(ROOT / file, source)
+        return source
+
+    def wheel_with_cmake(self, source, cmake, **environment):
+        """Made from these sources with this script in place of CMake, and no build tree named."""
+        tools = source / "tools"
         tools.mkdir()
-        (tools / "cmake").write_text(CMAKE.format(cmake=shutil.which("cmake"), build=BUILD), encoding="utf-8")
+        (tools / "cmake").write_text(cmake, encoding="utf-8")
         (tools / "cmake").chmod(0o755)
-        environment = {**self.environment, "PATH": f"{tools}:{os.environ['PATH']}",
-                       "LIMN_CMAKE_ARGS": "-DLIMN_WITH_STEP=OFF -DLIMN_WITH_MPI=OFF"}
+        environment = {**self.environment, "PATH": f"{tools}:{os.environ['PATH']}", **environment}
         del environment["LIMN_BUILD_DIR"]
         run(sys.executable, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "--no-index",
-            "-w", self.folder / "configured", source / "colmap_ext/python", env=environment)
-        (wheel,) = (self.folder / "configured").glob("limn-*.whl")
+            "-w", source / "wheels", source / "colmap_ext/python", env=environment)
+        (wheel,) = (source / "wheels").glob("limn_colmap-*.whl")
+        return wheel
+
+    def test_a_finished_build_is_used(self):
+        source = self.copy_of_sources("finished")
+        shutil.copytree(BUILD / "python/limn", source / "build/release/python/limn")
+        log = self.folder / "finished.log"
+        self.wheel_with_cmake(source, f'#!/bin/sh\necho "$@" >> {log}\n')
+        (line,) = log.read_text(encoding="utf-8").splitlines()
+        self.assertTrue(line.startswith(f"--build {source}/build/release --target limn_python_package"), line)
+
+    def test_is_configured_without_a_build_tree(self):
+        source = self.copy_of_sources("source")
+        wheel = self.wheel_with_cmake(source, CMAKE.format(cmake=shutil.which("cmake"), build=BUILD),
+                                      LIMN_CMAKE_ARGS="-DLIMN_WITH_STEP=OFF -DLIMN_WITH_MPI=OFF")
         with zipfile.ZipFile(wheel) as files:
             self.assertIn("limn/_limn.pyi", files.namelist())
         cache = (source / "build/wheel/CMakeCache.txt").read_text(encoding="utf-8")

@@ -1,0 +1,23 @@
+# Sourced by the scripts beside it: apt with lists of its own, so that packages of other releases, or sources, can be
+# downloaded and nothing of the system changes.
+
+# own_apt <folder> <deb or deb-src> <releases>: from here on `apt_get ...` is apt-get with these lists.
+own_apt() {
+  own_apt_folder=$1
+  local mirror
+  mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' 'Label: Debian' | sed -n 1p)
+  mkdir -p "$own_apt_folder"/{lists/partial,cache/archives/partial,parts}
+  cat >"$own_apt_folder/parts/debian.sources" <<END
+Types: $2
+URIs: ${mirror:-http://deb.debian.org/debian}
+Suites: $3
+Components: main
+Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
+END
+  apt_get update
+}
+
+apt_get() {
+  apt-get -q -o Dir::Etc::SourceList=/dev/null -o Dir::Etc::SourceParts="$own_apt_folder/parts" \
+    -o Dir::State::Lists="$own_apt_folder/lists" -o Dir::Cache="$own_apt_folder/cache" -o APT::Sandbox::User=root "$@"
+}
