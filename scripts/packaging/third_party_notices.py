@@ -28,6 +28,11 @@ HEADERS = ("libboost1.74-dev", "libeigen3-dev", "libflann-dev", "libtinygltf-dev
 # Compiled into the Python module only.
 PYTHON_HEADERS = ("pybind11-dev",)
 RULE = "=" * 100 + "\n"
+TITLES = {
+    "gpl": "Under the GNU GPL",
+    "lgpl": "Under the GNU LGPL: linked dynamically, and may be replaced by other builds of the same interface",
+    "mpl": "Under the Mozilla Public License or alike: sources at the address given, not changed",
+}
 
 
 class Package:
@@ -133,8 +138,7 @@ def npm_packages(folder):
 def summary(packages, needs, accept_gpl):
     """(lines, errors): the libraries by license."""
     lines, errors = [], []
-    for title, kind in (("Under the GNU GPL", "gpl"), ("Under the GNU LGPL: linked dynamically, and may be replaced by other builds of the same interface", "lgpl"),
-                        ("Under the Mozilla Public License or alike: sources at the address given, not changed", "mpl")):
+    for kind, title in TITLES.items():
         chosen = [package for package in packages if package.license.kind == kind]
         lines.append(f"{title}: {'none' if not chosen else ''}".rstrip())
         for package in chosen:
@@ -146,7 +150,8 @@ def summary(packages, needs, accept_gpl):
                 lines.append(f"    {package.license.where}")
             reasons = [reason for library in package.libraries for reason in chains(library, needs)]
             lines.extend(f"    {reason}" for reason in reasons)
-            doubt = "" if package.license.reviewed else ", or so its copyright file can be read: look at it and add a line to reviewed_licenses.txt"
+            doubt = "" if package.license.reviewed else (
+                ", or so its copyright file can be read: look at it and add a line to reviewed_licenses.txt")
             errors.append(f"{names} ({package.name}) is under the GPL ({package.license.name}){doubt}"
                           + "".join(f"\n    {reason}" for reason in reasons))
         lines.append("")
@@ -163,7 +168,8 @@ def sections(packages):
         by_text.setdefault(debian_licenses.copyright_text(package.name), []).append(package)
     for text, group in by_text.items():
         first = group[0]
-        head = [f"{package.name} {package.version}: {', '.join(package.libraries) or 'headers, compiled in'} ({package.license.name})" for package in group]
+        head = [f"{package.name} {package.version}: {', '.join(package.libraries) or 'headers, compiled in'} ({package.license.name})"
+                for package in group]
         head.append(f"Source: Debian's {first.source} {first.source_version}, by apt-get source {first.source}={first.source_version}")
         head.append(f"        or from https://snapshot.debian.org/package/{first.source}/{first.source_version}/")
         yield RULE + "\n".join(head) + "\n\n" + text.strip() + "\n\n"
@@ -225,7 +231,8 @@ def main():
     if errors and chosen.gpl == "refuse":
         for error in errors:
             print(f"ERROR: {error}", file=sys.stderr)
-        print("To go on: link libraries that are built without these, or leave them to the user's system, or pass the whole on under the GPL (--gpl accept)", file=sys.stderr)
+        print("To go on: link libraries that are built without these, or leave them to the user's system, or pass the whole on "
+              "under the GPL (--gpl accept)", file=sys.stderr)
         return 1
     return 0
 
