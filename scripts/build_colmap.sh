@@ -18,7 +18,7 @@ if [[ ${1:-} == --scene-only ]]; then
   shift
 fi
 if (($# < 2 || $# > 3)); then
-  sed -n '2,/^set/p' "$0" | sed '/^set/d; s/^# \?//'
+  sed -n '2,/^set/p' "$0" | sed '/^set/d; /SPDX/d; s/^# \?//'
   exit 1
 fi
 prefix=$1

@@ -13,7 +13,7 @@ cd "$(dirname "$0")/.."
 root=$PWD
 
 usage() {
-  sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$root/scripts/compare_commits.sh" >&2
+  sed -n '2,/^set /{/^set /d;/SPDX/d;s/^# \{0,1\}//;p}' "$root/scripts/compare_commits.sh" >&2
   exit 1
 }
 (($# >= 2)) || usage

@@ -15,7 +15,7 @@ shift || true
 options=("$@")
 limn=$PWD/build/release/limn
 if [[ ! $hosts =~ ^[0-9]+$ || $EUID != 0 || ! -x $limn ]]; then
-  sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0" >&2
+  sed -n '2,/^set /{/^set /d;/SPDX/d;s/^# \{0,1\}//;p}' "$0" >&2
   exit 1
 fi
 out=$PWD/build/mpi_hosts

@@ -10,7 +10,7 @@ if [[ ${1:-} == --sanitizers ]]; then
   shift
 fi
 scripts/setup.sh python3-opencv python3-ezdxf python3-matplotlib librsvg2-bin chromium \
-  dpkg-dev man-db mandoc mmdebstrap
+  dpkg-dev man-db mandoc mmdebstrap python3-yaml
 cmake --preset release  # the same as in run_sample.sh: nothing is compiled twice
 cmake --build --preset release
 ctest --preset release --parallel 2 "$@"

@@ -6,7 +6,7 @@
 #
 # The jobs run `limn` from the PATH, or $LIMN.
 set -euo pipefail
-(($# >= 2)) || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0" >&2; exit 1; }
+(($# >= 2)) || { sed -n '2,/^set /{/^set /d;/SPDX/d;s/^# \{0,1\}//;p}' "$0" >&2; exit 1; }
 workspace=$(realpath "$1") shards=$2
 shift 2
 limn=${LIMN:-limn}
