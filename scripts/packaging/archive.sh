@@ -1,18 +1,20 @@
 #!/usr/bin/env bash
-# archive.sh [<build folder, build/release>]: make build/portable/limn-<version>-linux-<machine>.tar.gz, which runs
-# wherever it is unpacked: the program with its plug-ins and libraries, the Python module, man pages, completion; and
-# wheels of the same; and SHA256SUMS. The build folder is brought up to date first. Needs patchelf, dpkg-dev and the
-# mirror of the machine's apt.
+# archive.sh: make build/portable/limn-<version>-linux-<machine>.tar.gz, which runs wherever it is unpacked: the program
+# with its plug-ins and libraries, the Python module, man pages, completion; and wheels of the same; and SHA256SUMS.
+# Builds in build/portable/build, which takes little where ccache knows the files of another build. Installs
+# what is missing.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 source_dir=$(cd "$here/../.." && pwd)
-build=$(cd "${1:-$source_dir/build/release}" && pwd)
 portable=$source_dir/build/portable
-export CCACHE_BASEDIR=$source_dir CCACHE_NOHASHDIR=1
+build=$portable/build
 
+"$source_dir/scripts/setup.sh" patchelf dpkg-dev libopenjp2-7-dev libpng-dev libtiff-dev libwebp-dev
 "$here/lean_libraries.sh" "$portable/libraries"
 "$here/python_headers.sh" "$portable/python"
-cmake -S "$source_dir" -B "$build" -DLIMN_PYTHON_ROOTS="$portable/python" >/dev/null
+export CCACHE_BASEDIR=$source_dir CCACHE_NOHASHDIR=1
+cmake -S "$source_dir" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DLIMN_BUILD_TESTS=OFF \
+  -DCMAKE_PREFIX_PATH="$portable/libraries" -DLIMN_PYTHON_ROOTS="$portable/python"
 cmake --build "$build" --target limn limn_python_package limn_python_modules man_pages
 
 version=$(sed -n 's/^project(limn VERSION \([0-9.]*\).*/\1/p' "$source_dir/CMakeLists.txt")
@@ -31,9 +33,9 @@ mv "$stage/python-limn" "$stage/python/limn"
 
 "$here/bundle.py" "$stage/lib/limn" "$stage/bin/limn" "$stage"/lib/limn/plugins/*.so "$stage"/python/limn/_limn.*.so \
   --search "$portable/libraries/lib" >"$portable/bundled.txt"
-# What is from elsewhere than Debian's packages is built of their sources.
-"$here/third_party_notices.py" --output "$stage/THIRD_PARTY_NOTICES.txt" --built-from-sources "$portable/libraries" \
-  --npm "$build" --libraries "$portable/bundled.txt"
+"$here/third_party_notices.py" --output "$stage/THIRD_PARTY_NOTICES.txt" --npm "$build/src/limn/viewer/page" \
+  --users "$build/limn" "$build"/lib/limn/plugins/*.so "$build"/python-modules/*.so -- $(<"$portable/bundled.txt") ||
+  { echo "ERROR: the archive may not be passed on as it is: $stage/THIRD_PARTY_NOTICES.txt" >&2; exit 1; }
 cp "$source_dir/LICENSE" "$stage/"
 cp "$source_dir/colmap_ext/docs/changelog.md" "$stage/share/doc/limn/"
 requires=$("$here/glibc_needed.py" "$stage" | paste -s -d, | sed 's/,/ and /')

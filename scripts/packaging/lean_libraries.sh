@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# lean_libraries.sh <folder>: build OpenCV and Ceres as Limn needs them into <folder>/lib, from the sources of Debian's
+# lean_libraries.sh <folder>: build OpenCV, libtiff and Ceres as Limn needs them into <folder>/lib, from the sources of Debian's
 # packages, to go with a program that is built against those packages. Debian's own use 140 other libraries, among them
 # some under the GPL (poppler by GDAL, parts of SuiteSparse). Does nothing if they are there. Takes about 12 minutes on
 # two cores; ccache, if installed, makes it a minute the next time.
@@ -15,9 +15,11 @@ mkdir -p "$folder/sources"
 # The versions of the packages that are installed.
 version_of() { dpkg-query --show --showformat='${source:Version}' "$1"; }
 cd "$folder/sources"
-apt_get --download-only source "opencv=$(version_of libopencv-core-dev)" "ceres-solver=$(version_of libceres-dev)"
+apt_get --download-only source "opencv=$(version_of libopencv-core-dev)" "ceres-solver=$(version_of libceres-dev)" "tiff=$(version_of libtiff6)"
+rm -rf opencv ceres tiff
 dpkg-source -x opencv_*.dsc opencv >/dev/null
 dpkg-source -x ceres-solver_*.dsc ceres >/dev/null
+dpkg-source -x tiff_*.dsc tiff >/dev/null
 
 launcher=()
 if command -v ccache >/dev/null; then
@@ -38,9 +40,12 @@ cmake -S opencv -B "$folder/build/opencv" "${common[@]}" "${cpu[@]}" "${off[@]/%
   -DBUILD_opencv_python2=OFF -DBUILD_opencv_python3=OFF -DENABLE_PRECOMPILED_HEADERS=OFF -DOPENCV_DOWNLOAD_TRIES_LIST= \
   -DBUILD_INFO_SKIP_TIMESTAMP=ON -DWITH_TBB=ON -DWITH_JPEG=ON -DWITH_PNG=ON -DWITH_TIFF=ON -DWITH_WEBP=ON -DWITH_OPENJPEG=ON
 cmake --build "$folder/build/opencv" --target install
-# Sparse systems are solved by Eigen.
+# Without JBIG, which is under the GPL: fax pages.
+cmake -S tiff -B "$folder/build/tiff" "${common[@]}" -Djbig=OFF -Dtiff-tools=OFF -Dtiff-tests=OFF -Dtiff-contrib=OFF -Dtiff-docs=OFF
+cmake --build "$folder/build/tiff" --target install
+# Sparse systems are solved by Eigen, and none by Schur complements.
 cmake -S ceres -B "$folder/build/ceres" "${common[@]}" -DBUILD_EXAMPLES=OFF -DBUILD_TESTING=OFF -DBUILD_BENCHMARKS=OFF \
-  -DSUITESPARSE=OFF -DCXSPARSE=OFF -DLAPACK=OFF -DEIGENSPARSE=ON
+  -DSUITESPARSE=OFF -DCXSPARSE=OFF -DLAPACK=OFF -DEIGENSPARSE=ON -DSCHUR_SPECIALIZATIONS=OFF
 cmake --build "$folder/build/ceres" --target install
 rm -rf "$folder/sources" "$folder/build" "$folder/apt"
 touch "$folder/done"

@@ -1,5 +1,5 @@
-// Writes a workspace of a data set whose cameras are wrong, and how what is drawn there is judged:
-// scripts/bench/pose_ladder.py draws it.
+// Writes a workspace of a data set whose cameras are wrong, fewer or of another size, and how what
+// is drawn there is judged: scripts/bench/pose_ladder.py and benchmark.py draw it.
 #include <algorithm>
 #include <filesystem>
 #include <random>
@@ -31,6 +31,8 @@ struct NoiseOptions {
   std::string given_model;
   double error_px = 0;
   double turned_deg = 0;
+  int num_views = -1;
+  double scale = 1;
   int seed = 1;
 
   void Check() const {
@@ -38,6 +40,8 @@ struct NoiseOptions {
     if (output_path.empty()) throw OptionError("--output_path must be given");
     LIMN_CHECK_RANGE(error_px, >= 0, <= 1000);
     LIMN_CHECK_RANGE(turned_deg, >= 0, <= 180);
+    LIMN_CHECK_RANGE_OR(num_views, -1, >= 2, <= 1e6);
+    LIMN_CHECK_RANGE(scale, >= 0.01, <= 100);
     LIMN_CHECK_RANGE(seed, >= 0, <= 1e9);
   }
 };
@@ -97,6 +101,28 @@ void TurnCameras(double angle_deg, std::mt19937* random, SparseModel* model) {
   }
 }
 
+// So many images, evenly spread in their order.
+void KeepViews(size_t num_views, SparseModel* model) {
+  auto& images = model->images;
+  if (num_views >= images.size()) return;
+  for (size_t i = 0; i < num_views; ++i) images[i] = images[i * images.size() / num_views];
+  images.resize(num_views);
+  model->points = {};
+}
+
+// Of pictures that were made larger or smaller by this factor.
+void ScaleCameras(double scale, SparseModel* model) {
+  for (auto& camera : model->cameras) {
+    if (camera.model_id != colmap_ext::CameraModelId::kPinhole) {
+      throw InputError("--scale: the set has other cameras than PINHOLE");
+    }
+    for (double& param : camera.params) param *= scale;
+    camera.width = static_cast<uint64_t>(std::lround(scale * camera.width));
+    camera.height = static_cast<uint64_t>(std::lround(scale * camera.height));
+  }
+  model->points = {};
+}
+
 // How drawing_evaluator judges what was drawn with these cameras, as a project file for it.
 void WriteEvaluatorOptions(const DataSet& set, const WorkspaceLayout& layout,
                            const std::string& workspace_path) {
@@ -142,6 +168,8 @@ void Run(const NoiseOptions& options) {
     DisturbCameras(options.error_px, depth, &random, &model);
   }
   if (options.turned_deg > 0) TurnCameras(options.turned_deg, &random, &model);
+  if (options.num_views > 0) KeepViews(options.num_views, &model);
+  if (options.scale != 1) ScaleCameras(options.scale, &model);
   const fs::path output = fs::absolute(options.output_path).lexically_normal();
   WriteModelBinary(model, output / "sparse/0");
   if (!fs::is_symlink(output / "images")) {
@@ -168,6 +196,8 @@ int main(int argc, char** argv) {
                    "errors of rotations and centers per axis, standard deviation in the image");
   parser.AddOption("turned_deg", &options.turned_deg,
                    "turns one camera in a hundred, at least one, by this angle");
+  parser.AddOption("num_views", &options.num_views, "only so many images, evenly spread; -1 = all");
+  parser.AddOption("scale", &options.scale, "for images that are so many times as large");
   parser.AddOption("seed", &options.seed, "of the errors");
   return limn::bench::BenchMain(argc, argv, &parser, [&] { limn::bench::Run(options); });
 }

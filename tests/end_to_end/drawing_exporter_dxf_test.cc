@@ -389,6 +389,8 @@ TEST(DrawingExporterDxf, APlanIsOnASheetToScale) {
   const json& sheet = read.at("sheet");
   EXPECT_EQ(sheet.at("size"), json({420, 297}));
   EXPECT_EQ(sheet.at("frames"), 1);
+  EXPECT_EQ(sheet.at("layers"), json({"sheet"}));
+  EXPECT_TRUE(read.at("layers").contains("sheet"));
   ASSERT_EQ(sheet.at("units_per_mm").size(), 1u);
   EXPECT_NEAR(sheet.at("units_per_mm")[0].get<double>(), 0.02, 1e-12);  // 1 m is 50 mm
   const json& extent = read.at("extent");

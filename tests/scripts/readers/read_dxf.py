@@ -87,6 +87,7 @@ def describe_sheet(document):
     window = [entity for entity in layout.query("VIEWPORT") if entity.dxf.id > 1]
     return {"size": [layout.dxf.paper_width, layout.dxf.paper_height],
             "texts": [entity.dxf.text for entity in layout.query("TEXT")],
+            "layers": sorted({entity.dxf.layer for entity in layout}),
             "frames": len(layout.query("LWPOLYLINE")),
             "units_per_mm": [entity.dxf.view_height / entity.dxf.height for entity in window],
             "center": [list(entity.dxf.view_center_point)[:2] for entity in window]}

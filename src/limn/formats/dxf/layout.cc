@@ -12,7 +12,6 @@ constexpr double kBorder = 10;
 constexpr double kStrip = 15;
 constexpr double kMargin = 5;
 constexpr double kTitleHeight = 5, kTextHeight = 3.5;
-constexpr const char* kPaperLayer = "0";
 
 struct Paper {
   Eigen::Vector2d size = {kPaperWidth, kPaperHeight};
@@ -111,7 +110,7 @@ class PaperWriter {
     writer_.PutHandle(330, paper_space_);
     writer_.Put(100, "AcDbEntity");
     writer_.Put(67, 1);
-    writer_.Put(8, kPaperLayer);
+    writer_.Put(8, kDxfSheetLayer);
     if (line_weight > 0) writer_.Put(370, line_weight);
     writer_.Put(100, subclass);
   }

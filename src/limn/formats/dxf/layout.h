@@ -9,6 +9,10 @@
 
 namespace limn {
 
+// Of all that is in the paper space: programs without one, such as LibreCAD, show it in the model,
+// where it is to be hidden.
+constexpr const char* kDxfSheetLayer = "sheet";
+
 // A sheet of paper with a plan on it: the paper space of a DXF file, in millimeters.
 struct DxfLayout {
   // Drawing units per millimeter of paper.

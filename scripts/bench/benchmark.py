@@ -1,0 +1,159 @@
+#!/usr/bin/python3
+"""The sample scene as a benchmark: a ladder of inputs that get worse, and what methods make of them.
+
+    benchmark.py inputs [--rungs blur-1,views-6]   makes the inputs: build/benchmark/<rung>/
+    benchmark.py score <rung> <curves>             scores a PLY, OBJ or drawing.json that was made of one
+    benchmark.py methods [--rungs ...]             draws them by four methods of Limn, as expected numbers: table.md
+
+A rung is a COLMAP workspace: images/, sparse/0 (binary; PINHOLE cameras, without points where the images are not those that
+the points are from), evaluator.ini with how it is scored. scripts/benchmark.sh builds what is needed and calls it.
+datasets/README.md describes inputs, formats and score.
+"""
+
+import argparse
+import json
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from measured_run import CommandFailed, Run, main
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build/release"
+OUTPUT = ROOT / "build/benchmark"
+LIMN = BUILD / "limn"
+SEED = 1
+JPEG_QUALITY = 95
+
+
+@dataclass
+class Rung:
+    """What is wrong: options of tests/bench/pose_noise, and what happens to the pictures."""
+
+    camera_options: tuple = ()
+    blur_px: float = 0
+    noise: float = 0  # gray levels
+    scale: float = 1
+
+
+RUNGS = {
+    "exact": Rung(),
+    "pose-0.5": Rung(("--error_px", 0.5)),
+    "pose-1.5": Rung(("--error_px", 1.5)),
+    "pose-3": Rung(("--error_px", 3)),
+    "blur-1": Rung(blur_px=1),
+    "blur-2": Rung(blur_px=2),
+    "noise-5": Rung(noise=5),
+    "noise-15": Rung(noise=15),
+    "views-12": Rung(("--num_views", 12)),
+    "views-6": Rung(("--num_views", 6)),
+    "scale-0.5": Rung(scale=0.5),
+    "scale-2": Rung(scale=2),
+}
+# Name: options of automatic_drawer, file that is scored.
+METHODS = {
+    "default drawing": ((), "drawing.json"),
+    "paper drawing": (("--project_path", ROOT / "scripts/paper.ini"), "drawing.json"),
+    "enhanced sketch of the paper": (("--project_path", ROOT / "scripts/paper.ini"), "curves/enhanced-sketch.ply"),
+    "original sketch of the paper": (("--mode", "original"), "curves/sketch.ply"),
+}
+
+
+def degraded(image, rung, random):
+    if rung.scale != 1:
+        way = cv2.INTER_AREA if rung.scale < 1 else cv2.INTER_CUBIC
+        image = cv2.resize(image, None, fx=rung.scale, fy=rung.scale, interpolation=way)
+    if rung.blur_px:
+        image = cv2.GaussianBlur(image, (0, 0), rung.blur_px)
+    if rung.noise:
+        image = np.clip(image + random.normal(0, rung.noise, image.shape), 0, 255).round().astype(np.uint8)
+    return image
+
+
+def make_input(name):
+    """The workspace of a rung; the same bytes every time."""
+    rung, folder = RUNGS[name], OUTPUT / name
+    shutil.rmtree(folder, ignore_errors=True)
+    Run([BUILD / "tests/bench/pose_noise", "--set", "sample-day", "--seed", SEED, "--scale", rung.scale, *rung.camera_options,
+         "--output_path", folder])
+    originals = (folder / "images").resolve()
+    (folder / "images").unlink()
+    (folder / "images").mkdir()
+    random = np.random.default_rng(SEED)
+    for path in sorted(originals.iterdir()):
+        target = folder / "images" / path.name
+        if rung.scale == 1 and not rung.blur_px and not rung.noise:
+            shutil.copy(path, target)
+            continue
+        image = degraded(cv2.imread(str(path), cv2.IMREAD_COLOR), rung, random)
+        cv2.imwrite(str(target), image, [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])
+    return folder
+
+
+def score(name, curves):
+    """The report of drawing_evaluator."""
+    report = OUTPUT / name / "report.json"
+    run = Run([LIMN, "drawing_evaluator", "--project_path", OUTPUT / name / "evaluator.ini", "--input_path", curves,
+               "--output_json", report])
+    return run, json.loads(report.read_text(encoding="utf-8"))
+
+
+def draw_all(name):
+    """Method -> its row at 2 px, or why there is none. What two methods share is made once."""
+    rows, drawn = {}, {}
+    for method, (options, file) in METHODS.items():
+        folder = OUTPUT / name / f"drawn-{len(drawn)}"
+        try:
+            if options not in drawn:
+                shutil.rmtree(folder, ignore_errors=True)
+                run = Run([LIMN, "automatic_drawer", "--workspace_path", OUTPUT / name, "--output_path", folder, "--page", 0, *options])
+                drawn[options] = folder, run.cpu_seconds
+            folder, cpu_seconds = drawn[options]
+            _, report = score(name, folder / file)
+            row = next(row for row in report["rows"] if row["tau"] == 2)
+            rows[method] = f"{100 * row['precision']:.1f} / {100 * row['recall']:.1f} / {100 * row['f']:.1f} ({cpu_seconds:.0f} s)"
+        except CommandFailed as failure:
+            rows[method] = "none: " + str(failure).splitlines()[-1]
+    return rows
+
+
+def write_table(results):
+    lines = ["| rung | " + " | ".join(METHODS) + " |", "|---" * (len(METHODS) + 1) + "|"]
+    lines += [f"| `{name}` | " + " | ".join(rows[method] for method in METHODS) + " |" for name, rows in results.items()]
+    (OUTPUT / "table.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def rungs_of(text):
+    names = text.split(",") if text else list(RUNGS)
+    unknown = [name for name in names if name not in RUNGS]
+    if unknown:
+        raise argparse.ArgumentTypeError(f"{unknown[0]}: must be of {', '.join(RUNGS)}")
+    return names
+
+
+def body():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    tasks = parser.add_subparsers(dest="task", required=True)
+    for task in ("inputs", "methods"):
+        tasks.add_parser(task).add_argument("--rungs", type=rungs_of, default=list(RUNGS))
+    scored = tasks.add_parser("score")
+    scored.add_argument("rung", choices=RUNGS)
+    scored.add_argument("curves", type=Path)
+    arguments = parser.parse_args()
+    if arguments.task == "score":
+        print(score(arguments.rung, arguments.curves)[0].output, end="")
+        return
+    results = {}
+    for name in arguments.rungs:
+        folder = make_input(name)
+        print(f"made {folder}", flush=True)
+        if arguments.task == "methods":
+            results[name] = draw_all(name)
+            write_table(results)
+            print(f"{name}: {results[name]}", flush=True)
+
+
+main(body)
