@@ -18,8 +18,8 @@
 #include "colmap_ext/host/terminal_console.h"
 #include "colmap_ext/host/version_text.h"
 #include "colmap_ext/options/command_help.h"
-#include "colmap_ext/workspace/error_line.h"
-#include "colmap_ext/workspace/quiet_decoders.h"
+#include "limn/files/error_line.h"
+#include "limn/files/quiet_decoders.h"
 #include "limn/util/errors.h"
 #include "limn/util/latest_stage.h"
 #include "limn/util/nearest_word.h"
@@ -97,7 +97,7 @@ void OpenStandardStreams() {
 }
 
 void PrintError(const std::exception& error) {
-  PrintErrorLine(std::string("ERROR: ") + error.what());
+  limn::PrintErrorLine(std::string("ERROR: ") + error.what());
 }
 
 // Throws what the command throws.
@@ -120,12 +120,12 @@ int RunAndReport(int argc, const char* const* argv) {
   } catch (const limn::Cancelled&) {
     return kInterruptedExitCode;  // what is kept has been said
   } catch (const std::bad_alloc&) {
-    PrintErrorLine("ERROR: " + limn::OutOfMemoryText("--"));
+    limn::PrintErrorLine("ERROR: " + limn::OutOfMemoryText("--"));
     return 1;
   } catch (const std::system_error& error) {
     // No memory for another thread.
     const bool is_short = error.code() == std::errc::resource_unavailable_try_again;
-    PrintErrorLine("ERROR: " + (is_short ? limn::OutOfMemoryText("--") : error.what()));
+    limn::PrintErrorLine("ERROR: " + (is_short ? limn::OutOfMemoryText("--") : error.what()));
     return 1;
   } catch (const std::exception& error) {
     PrintError(error);
@@ -139,7 +139,7 @@ int main(int argc, char** argv) {
   OpenStandardStreams();
   // A file beyond the limit on sizes is then a failed write, with a line that names it.
   std::signal(SIGXFSZ, SIG_IGN);
-  HideLinesOfDecoders();
+  limn::HideLinesOfDecoders();
   limn::KeepFreedMemory();
   try {
     if (PrintHelp(argc, argv)) return 0;

@@ -7,7 +7,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include "colmap_ext/workspace/error_line.h"
+#include "limn/files/error_line.h"
 #include "limn/files/temporary_path.h"
 
 namespace limn::colmap_ext {

@@ -1,4 +1,4 @@
-#include "colmap_ext/workspace/output_lock.h"
+#include "limn/files/output_lock.h"
 
 #include <cerrno>
 #include <chrono>
@@ -18,7 +18,7 @@
 #include "limn/files/writable_folder.h"
 #include "limn/util/errors.h"
 
-namespace limn::colmap_ext {
+namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
@@ -169,4 +169,4 @@ OutputLock::~OutputLock() {
   close(file_);
 }
 
-}  // namespace limn::colmap_ext
+}  // namespace limn

@@ -1,4 +1,4 @@
-#include "colmap_ext/workspace/output_link.h"
+#include "limn/files/output_link.h"
 
 #include <cerrno>
 #include <cstring>
@@ -10,7 +10,7 @@
 #include "limn/files/writable_folder.h"
 #include "limn/util/errors.h"
 
-namespace limn::colmap_ext {
+namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
@@ -42,4 +42,4 @@ bool MakeLink(const fs::path& target, const OutputPath& link) {
   throw IoError(link.string(), std::string("cannot be made: ") + std::strerror(reason));
 }
 
-}  // namespace limn::colmap_ext
+}  // namespace limn
