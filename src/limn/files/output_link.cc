@@ -4,7 +4,6 @@
 #include <cstring>
 #include <string>
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "limn/files/writable_folder.h"
@@ -31,7 +30,7 @@ fs::path PlaceOf(const fs::path& path) {
 bool MakeLink(const fs::path& target, const OutputPath& link) {
   const WritableFolder folder = WritableFolder::Make(link.Folder());
   const auto there = folder.StatusOf(link.Name());
-  if (there && S_ISDIR(there->st_mode)) {
+  if (there && there->kind == FileKind::kFolder) {
     throw IoError(link.string(), "is a folder, not the link that is to be made: remove it");
   }
   folder.Remove(link.Name());

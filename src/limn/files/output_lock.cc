@@ -108,9 +108,8 @@ int Lock(int file, LockMode mode) {
 bool IsIn(int file, const OutputPath& path) {
   const auto folder = WritableFolder::Find(path);
   const auto found = folder ? folder->StatusOf(kLockFile) : std::nullopt;
-  struct stat opened;
-  return found && fstat(file, &opened) == 0 && opened.st_dev == found->st_dev &&
-         opened.st_ino == found->st_ino;
+  const auto opened = StatusOfOpenFile(file);
+  return found && opened && opened->id == found->id;
 }
 
 }  // namespace

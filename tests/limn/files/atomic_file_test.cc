@@ -273,7 +273,7 @@ TEST(TemporaryPath, GoesAwayUnlessItIsRenamed) {
     WriteFileAtomically(path + ".tmp/inside", "no result yet");
     EXPECT_EQ(NumRenamed(), num_before);
     if (!renames) continue;
-    EXPECT_EQ(temporary.RenameTo("model"), 0);
+    EXPECT_EQ(temporary.RenameTo("model"), std::error_code());
   }
   EXPECT_EQ(NumFiles(path), 1);
   EXPECT_TRUE(std::filesystem::is_directory(path));
