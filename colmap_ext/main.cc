@@ -1,4 +1,3 @@
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -9,11 +8,9 @@
 #include <system_error>
 #include <vector>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/host/interrupt.h"
+#include "colmap_ext/host/prepare_process.h"
 #include "colmap_ext/host/ranks.h"
 #include "colmap_ext/host/terminal_console.h"
 #include "colmap_ext/host/version_text.h"
@@ -87,15 +84,6 @@ bool PrintHelp(int argc, const char* const* argv) {
   return true;
 }
 
-// A file opened later must not take the place of a closed standard stream: what is printed would
-// get into it.
-void OpenStandardStreams() {
-  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The lowest number that is free is this one.
-    if (fcntl(file, F_GETFD) < 0) (void)!open("/dev/null", O_RDWR);
-  }
-}
-
 void PrintError(const std::exception& error) {
   limn::PrintErrorLine(std::string("ERROR: ") + error.what());
 }
@@ -136,9 +124,7 @@ int RunAndReport(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  OpenStandardStreams();
-  // A file beyond the limit on sizes is then a failed write, with a line that names it.
-  std::signal(SIGXFSZ, SIG_IGN);
+  PrepareProcess();
   limn::HideLinesOfDecoders();
   limn::KeepFreedMemory();
   try {
