@@ -42,15 +42,17 @@ std::string TemporaryName() {
   return name.append(kTemporarySuffix);
 }
 
-// A new file with the owner and permissions of the one that will be replaced, if there is one.
+// A new file with the owner and permissions of the one that will be replaced, if there is one; or
+// errno says why not.
 FileDescriptor OpenNew(const WritableFolder& folder, const std::string& temporary,
                        const std::string& name) {
   constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   FileDescriptor file(openat(folder.descriptor(), temporary.c_str(), kFlags, 0666));
+  if (!file.IsOpen()) return file;
   struct stat old = {};
   const bool has_old = fstatat(folder.descriptor(), name.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0 &&
                        S_ISREG(old.st_mode);
-  if (!file.IsOpen() || !has_old) return file;
+  if (!has_old) return file;
   // Only root may give files away.
   (void)!fchown(file.number(), old.st_uid, old.st_gid);
   (void)!fchmod(file.number(), old.st_mode & 0777);
