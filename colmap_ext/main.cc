@@ -1,4 +1,3 @@
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -9,17 +8,15 @@
 #include <system_error>
 #include <vector>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/host/interrupt.h"
+#include "colmap_ext/host/prepare_process.h"
 #include "colmap_ext/host/ranks.h"
 #include "colmap_ext/host/terminal_console.h"
 #include "colmap_ext/host/version_text.h"
 #include "colmap_ext/options/command_help.h"
-#include "colmap_ext/workspace/error_line.h"
-#include "colmap_ext/workspace/quiet_decoders.h"
+#include "limn/files/error_line.h"
+#include "limn/files/quiet_decoders.h"
 #include "limn/util/errors.h"
 #include "limn/util/latest_stage.h"
 #include "limn/util/nearest_word.h"
@@ -87,17 +84,8 @@ bool PrintHelp(int argc, const char* const* argv) {
   return true;
 }
 
-// A file opened later must not take the place of a closed standard stream: what is printed would
-// get into it.
-void OpenStandardStreams() {
-  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The lowest number that is free is this one.
-    if (fcntl(file, F_GETFD) < 0) (void)!open("/dev/null", O_RDWR);
-  }
-}
-
 void PrintError(const std::exception& error) {
-  PrintErrorLine(std::string("ERROR: ") + error.what());
+  limn::PrintErrorLine(std::string("ERROR: ") + error.what());
 }
 
 // Throws what the command throws.
@@ -120,12 +108,12 @@ int RunAndReport(int argc, const char* const* argv) {
   } catch (const limn::Cancelled&) {
     return kInterruptedExitCode;  // what is kept has been said
   } catch (const std::bad_alloc&) {
-    PrintErrorLine("ERROR: " + limn::OutOfMemoryText("--"));
+    limn::PrintErrorLine("ERROR: " + limn::OutOfMemoryText("--"));
     return 1;
   } catch (const std::system_error& error) {
     // No memory for another thread.
     const bool is_short = error.code() == std::errc::resource_unavailable_try_again;
-    PrintErrorLine("ERROR: " + (is_short ? limn::OutOfMemoryText("--") : error.what()));
+    limn::PrintErrorLine("ERROR: " + (is_short ? limn::OutOfMemoryText("--") : error.what()));
     return 1;
   } catch (const std::exception& error) {
     PrintError(error);
@@ -136,10 +124,8 @@ int RunAndReport(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  OpenStandardStreams();
-  // A file beyond the limit on sizes is then a failed write, with a line that names it.
-  std::signal(SIGXFSZ, SIG_IGN);
-  HideLinesOfDecoders();
+  PrepareProcess();
+  limn::HideLinesOfDecoders();
   limn::KeepFreedMemory();
   try {
     if (PrintHelp(argc, argv)) return 0;

@@ -5,7 +5,7 @@ The layers of src/limn are those of src/README.md, the layers of colmap_ext thos
 colmap_ext/docs/developing.md. Every module must have a layer here, and the order of the CMakeLists.txt
 beside the modules must follow the layers. A header and the source beside it are one room: no room may include itself by
 way of others, in one folder or across several. Some folders have a door, the one header that others include.
-Third-party libraries are used only where the table at the end allows it.
+Third-party libraries are used only where the tables below allow it, and so is POSIX, which no header may include.
 """
 
 import re
@@ -46,8 +46,16 @@ DOORS = {
     "limn/formats/dxf": "dxf_drawing_writer.h",
 }
 
+# Headers of POSIX, Linux and signals. What other systems need instead is a matter of these folders (see Porting in
+# colmap_ext/docs/developing.md), and of their sources only: anybody may include their headers.
+POSIX = ("aio.h", "arpa/", "csignal", "dirent.h", "dlfcn.h", "fcntl.h", "fnmatch.h", "ftw.h", "glob.h", "grp.h",
+         "libgen.h", "linux/", "netdb.h", "netinet/", "poll.h", "pthread.h", "pwd.h", "sched.h", "semaphore.h", "signal.h",
+         "spawn.h", "strings.h", "sys/", "syslog.h", "termios.h", "ucontext.h", "unistd.h", "utime.h", "wordexp.h")
+POSIX_FOLDERS = ["src/limn/files/", "colmap_ext/host/"]
+
 # Prefix of an include in angle brackets -> where it may stand: folders, or single files.
 THIRD_PARTY = {
+    **{prefix: POSIX_FOLDERS for prefix in POSIX},
     "opencv2/": ["src/limn/pictures/", "colmap_ext/workspace/"],
     "unicode/": ["colmap_ext/workspace/name_encoding.cc"],
     "jpeglib.h": ["colmap_ext/workspace/jpeg_check.cc"],
@@ -89,6 +97,8 @@ def third_party_problem(path, target):
     for prefix, places in THIRD_PARTY.items():
         if target.startswith(prefix) and not any(path.startswith(place) for place in places):
             return f"<{target}> belongs to {', '.join(places)}"
+    if target.startswith(POSIX) and path.endswith(".h"):
+        return f"<{target}> belongs to sources: others include this header"
     return None
 
 

@@ -7,7 +7,7 @@
 #include "colmap_ext/host/ranks.h"
 #include "colmap_ext/verbs/draw.h"
 #include "colmap_ext/verbs/workspace_watch.h"
-#include "colmap_ext/workspace/error_line.h"
+#include "limn/files/error_line.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

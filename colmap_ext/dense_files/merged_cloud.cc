@@ -3,8 +3,8 @@
 #include <fstream>
 #include <system_error>
 
-#include "colmap_ext/workspace/output_link.h"
 #include "limn/files/atomic_file.h"
+#include "limn/files/output_link.h"
 #include "limn/files/whole_file.h"
 #include "limn/files/writable_folder.h"
 #include "limn/formats/ply_output.h"

@@ -1,5 +1,6 @@
 #include "colmap_ext/host/interrupt.h"
 
+#include <csignal>
 #include <ctime>
 #include <exception>
 #include <utility>
@@ -7,7 +8,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include "colmap_ext/workspace/error_line.h"
+#include "limn/files/error_line.h"
 #include "limn/files/temporary_path.h"
 
 namespace limn::colmap_ext {
@@ -39,12 +40,18 @@ void ForgetPipeSignal() {
 
 }  // namespace
 
-InterruptsBlocked::InterruptsBlocked() {
+struct InterruptsBlocked::Before {
+  sigset_t signals;
+};
+
+InterruptsBlocked::InterruptsBlocked() : before_(std::make_unique<Before>()) {
   const sigset_t signals = Signals();
-  pthread_sigmask(SIG_BLOCK, &signals, &before_);
+  pthread_sigmask(SIG_BLOCK, &signals, &before_->signals);
 }
 
-InterruptsBlocked::~InterruptsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+InterruptsBlocked::~InterruptsBlocked() {
+  pthread_sigmask(SIG_SETMASK, &before_->signals, nullptr);
+}
 
 std::string WhatIsWritten() {
   return NumRenamed() == 0 ? "Interrupted: nothing is written"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <atomic>
-#include <csignal>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -21,7 +21,8 @@ class InterruptsBlocked {
   InterruptsBlocked& operator=(const InterruptsBlocked&) = delete;
 
  private:
-  sigset_t before_;
+  struct Before;
+  std::unique_ptr<Before> before_;
 };
 
 // The line printed on interruption by a command that writes all of its results at the end.

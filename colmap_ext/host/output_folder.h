@@ -7,8 +7,8 @@
 #include "colmap_ext/host/console.h"
 #include "colmap_ext/host/run_options.h"
 #include "colmap_ext/workspace/layout.h"
-#include "colmap_ext/workspace/output_lock.h"
 #include "limn/cache/result_cache.h"
+#include "limn/files/output_lock.h"
 #include "limn/files/output_path.h"
 
 namespace limn::colmap_ext {

@@ -1,6 +1,5 @@
 #include "colmap_ext/import/new_model_folder.h"
 
-#include <cstring>
 #include <system_error>
 
 #include "colmap_ext/model/model_writer.h"
@@ -45,9 +44,9 @@ void WriteNewModel(const SparseModel& model, const fs::path& folder, ModelFlavor
   WriteModel(model, flavor, temporary.path());
   if (write_more) write_more(temporary.path());
   // Replaces an empty folder, fails on any other.
-  if (const int reason = temporary.RenameTo(path.filename().string())) {
-    throw IoError(path.string(), "cannot rename " + temporary.path().string() +
-                                     " to it: " + std::strerror(reason));
+  if (const std::error_code error = temporary.RenameTo(path.filename().string())) {
+    throw IoError(path.string(),
+                  "cannot rename " + temporary.path().string() + " to it: " + error.message());
   }
 }
 

@@ -1,14 +1,9 @@
 #include "colmap_ext/verbs/align.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <set>
-
-#include <fcntl.h>
-#include <sys/stat.h>
 
 #include "colmap_ext/verbs/aligned_project.h"
 #include "colmap_ext/verbs/drawing_input.h"
@@ -17,7 +12,7 @@
 #include "colmap_ext/workspace/pose_priors.h"
 #include "limn/alignment/geodetic.h"
 #include "limn/files/atomic_file.h"
-#include "limn/files/writable_folder.h"
+#include "limn/files/kept_time.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
@@ -283,35 +278,6 @@ std::vector<std::string> DrawingsToAlign(const fs::path& folder, Console* consol
   }
   return paths;
 }
-
-// The time of change of a file.
-class KeptTime {
- public:
-  explicit KeptTime(const OutputPath& path)
-      : path_(path), folder_(WritableFolder::Make(path.Folder())), status_(StatusOfFile()) {}
-
-  // Of the file that has replaced it. Throws IoError.
-  void Restore() const {
-    const timespec times[] = {{.tv_sec = 0, .tv_nsec = UTIME_OMIT}, status_.st_mtim};
-    const int folder = folder_.descriptor();
-    if (utimensat(folder, path_.Name().c_str(), times, AT_SYMLINK_NOFOLLOW) != 0) Fail();
-  }
-
- private:
-  struct stat StatusOfFile() const {
-    const auto status = folder_.StatusOf(path_.Name());
-    if (!status) Fail();
-    return *status;
-  }
-  [[noreturn]] void Fail() const {
-    throw IoError(path_.string(),
-                  std::string("its time of change cannot be kept: ") + std::strerror(errno));
-  }
-
-  const OutputPath& path_;
-  WritableFolder folder_;
-  struct stat status_;
-};
 
 // Drawings keep their times of change, by which commands take the newest. All are read before the
 // first is written. Throws IoError.

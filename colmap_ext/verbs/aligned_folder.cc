@@ -1,12 +1,10 @@
 #include "colmap_ext/verbs/aligned_folder.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <string>
 #include <string_view>
-
-#include <sys/stat.h>
+#include <system_error>
 
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/workspace/output_check.h"
@@ -35,7 +33,7 @@ bool IsModelFileName(const std::string& name) {
 bool HoldsOnlyModelFiles(const WritableFolder& folder) {
   return std::ranges::all_of(folder.Names(), [&](const std::string& name) {
     const auto status = folder.StatusOf(name);
-    return !status || (S_ISREG(status->st_mode) && IsModelFileName(name));
+    return !status || (status->kind == FileKind::kFile && IsModelFileName(name));
   });
 }
 
@@ -43,7 +41,7 @@ bool HoldsOnlyModelFiles(const WritableFolder& folder) {
 bool HoldsOnlyLinks(const WritableFolder& folder) {
   return std::ranges::all_of(folder.Names(), [&](const std::string& name) {
     const auto status = folder.StatusOf(name);
-    if (!status || S_ISLNK(status->st_mode)) return true;
+    if (!status || status->kind == FileKind::kLink) return true;
     const auto inner = folder.Enter(name);
     return inner && HoldsOnlyLinks(*inner);
   });
@@ -53,8 +51,8 @@ bool HoldsOnlyLinks(const WritableFolder& folder) {
 bool IsOwn(const WritableFolder& folder, const std::string& name) {
   const auto status = folder.StatusOf(name);
   if (!status) return true;  // it is gone
-  if (S_ISREG(status->st_mode)) return IsOwnFile(name);
-  if (S_ISLNK(status->st_mode)) return name == "images";
+  if (status->kind == FileKind::kFile) return IsOwnFile(name);
+  if (status->kind == FileKind::kLink) return name == "images";
   const auto inner = folder.Enter(name);
   if (!inner) return false;
   return (name == "sparse" && HoldsOnlyModelFiles(*inner)) ||
@@ -90,11 +88,11 @@ void WriteAlignedFolder(const OutputPath& folder, bool overwrite,
   fill(temporary.path());
   CheckAlignedFolder(folder, overwrite);  // again: that took a while
   const bool is_there = WritableFolder::Find(folder).has_value();
-  const int reason =
+  const std::error_code error =
       is_there ? temporary.Replace(folder.Name()) : temporary.RenameTo(folder.Name());
-  if (reason == 0) return;
+  if (!error) return;
   throw IoError(folder.string(),
-                "cannot rename " + temporary.path().string() + " to it: " + std::strerror(reason));
+                "cannot rename " + temporary.path().string() + " to it: " + error.message());
 }
 
 }  // namespace limn::colmap_ext

@@ -2,28 +2,17 @@
 
 #include <optional>
 
-#include <sys/stat.h>
-
 namespace limn::colmap_ext {
-namespace {
-
-std::optional<std::pair<unsigned long, unsigned long>> DeviceAndInode(const std::string& path) {
-  struct stat status = {};
-  if (stat(path.c_str(), &status) != 0) return std::nullopt;
-  return std::pair<unsigned long, unsigned long>(status.st_dev, status.st_ino);
-}
-
-}  // namespace
 
 FileSet::FileSet(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
-    if (const auto file = DeviceAndInode(path)) files_.insert(*file);
+    if (const auto file = StatusOfFile(path)) files_.insert(file->id);
   }
 }
 
 bool FileSet::Contains(const std::string& path) const {
-  const auto file = DeviceAndInode(path);
-  return file && files_.contains(*file);
+  const auto file = StatusOfFile(path);
+  return file && files_.contains(file->id);
 }
 
 }  // namespace limn::colmap_ext

@@ -2,8 +2,9 @@
 
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "limn/files/file_status.h"
 
 namespace limn::colmap_ext {
 
@@ -17,7 +18,7 @@ class FileSet {
   bool Contains(const std::string& path) const;
 
  private:
-  std::set<std::pair<unsigned long, unsigned long>> files_;  // device and inode
+  std::set<FileId> files_;
 };
 
 }  // namespace limn::colmap_ext

@@ -15,9 +15,9 @@
 
 #include "colmap_ext/workspace/image_header.h"
 #include "colmap_ext/workspace/jpeg_check.h"
-#include "colmap_ext/workspace/quiet_decoders.h"
 #include "colmap_ext/workspace/shrink_image.h"
 #include "colmap_ext/workspace/tiff_directory.h"
+#include "limn/files/quiet_decoders.h"
 #include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 

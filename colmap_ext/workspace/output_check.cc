@@ -1,13 +1,9 @@
 #include "colmap_ext/workspace/output_check.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <string_view>
 #include <system_error>
-
-#include <unistd.h>
 
 #include "colmap_ext/workspace/file_set.h"
 #include "limn/files/atomic_file.h"
@@ -97,9 +93,10 @@ bool IsModelFile(const fs::path& path) {
 
 void CheckWritable(const OutputPath& folder) {
   const WritableFolder nearest = WritableFolder::Nearest(folder);
-  if (faccessat(nearest.descriptor(), ".", W_OK | X_OK, 0) == 0) return;
+  const std::error_code error = nearest.WhyNoFile();
+  if (!error) return;
   throw IoError(folder.string(), "results cannot be written here (" + nearest.path() + ": " +
-                                     std::strerror(errno) + "): choose another --output_path");
+                                     error.message() + "): choose another --output_path");
 }
 
 bool IsFileOfLimn(const std::string& path) {

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/output_lock.h"
 #include "end_to_end/limn_process.h"
 #include "end_to_end/run_limn.h"
 #include "end_to_end/small_scene.h"
 #include "limn/files/atomic_file.h"
+#include "limn/files/output_lock.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/geometry/polyline.h"
 
@@ -17,8 +17,6 @@ namespace limn::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using colmap_ext::LockMode;
-using colmap_ext::OutputLock;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scripts/check_includes.py refuses loops between rooms, and ways around doors."""
+"""scripts/check_includes.py refuses loops between rooms, ways around doors, and POSIX outside two folders."""
 
 import sys
 import tempfile
@@ -54,6 +54,35 @@ class Doors(unittest.TestCase):
         self.assertIsNotNone(check_includes.door_problem("colmap_ext/verbs/export.cc", inside))
         self.assertIsNone(check_includes.door_problem("src/limn/formats/write_drawing.cc", door))
         self.assertIsNone(check_includes.door_problem("src/limn/formats/svg/link.cc", inside))
+
+
+class Posix(unittest.TestCase):
+    def problem(self, path, target):
+        return check_includes.third_party_problem(path, target)
+
+    def test_is_for_sources_of_two_folders(self):
+        for target in ("unistd.h", "sys/stat.h", "csignal"):
+            self.assertIsNone(self.problem("src/limn/files/output_lock.cc", target))
+            self.assertIsNone(self.problem("colmap_ext/host/interrupt.cc", target))
+            for path in ("src/limn/util/options.cc", "colmap_ext/workspace/layout.cc", "colmap_ext/main.cc",
+                         "colmap_ext/python/module.cc"):
+                self.assertIn("colmap_ext/host/", self.problem(path, target))
+
+    def test_is_in_no_header(self):
+        self.assertIn("sources", self.problem("src/limn/files/output_lock.h", "unistd.h"))
+        self.assertIn("sources", self.problem("colmap_ext/host/interrupt.h", "csignal"))
+
+    def test_headers_of_the_language_with_similar_names_are_not_meant(self):
+        for target in ("semaphore", "system_error", "cstring", "cerrno", "filesystem"):
+            self.assertIsNone(self.problem("src/limn/model/view.h", target))
+
+    def test_is_told_with_its_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder) / "colmap_ext/verbs/align.cc"
+            source.parent.mkdir(parents=True)
+            source.write_text("#include <string>\n# include <sys/stat.h>\n", encoding="utf-8")
+            found = list(check_includes.problems_of_file(Path(folder), source))
+        self.assertEqual(found, ["colmap_ext/verbs/align.cc:2: <sys/stat.h> belongs to src/limn/files/, colmap_ext/host/"])
 
 
 if __name__ == "__main__":

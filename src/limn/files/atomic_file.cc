@@ -7,6 +7,7 @@
 #include <ostream>
 #include <random>
 #include <string>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -41,16 +42,20 @@ std::string TemporaryName() {
   return name.append(kTemporarySuffix);
 }
 
-// A new file with the owner and permissions of the one that will be replaced, if there is one.
+// A new file with the owner and permissions of the one that will be replaced, if there is one; or
+// errno says why not.
 FileDescriptor OpenNew(const WritableFolder& folder, const std::string& temporary,
                        const std::string& name) {
   constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   FileDescriptor file(openat(folder.descriptor(), temporary.c_str(), kFlags, 0666));
-  const auto old = folder.StatusOf(name);
-  if (!file.IsOpen() || !old || !S_ISREG(old->st_mode)) return file;
+  if (!file.IsOpen()) return file;
+  struct stat old = {};
+  const bool has_old = fstatat(folder.descriptor(), name.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0 &&
+                       S_ISREG(old.st_mode);
+  if (!has_old) return file;
   // Only root may give files away.
-  (void)!fchown(file.number(), old->st_uid, old->st_gid);
-  (void)!fchmod(file.number(), old->st_mode & 0777);
+  (void)!fchown(file.number(), old.st_uid, old.st_gid);
+  (void)!fchmod(file.number(), old.st_mode & 0777);
   return file;
 }
 
@@ -71,11 +76,11 @@ bool LeadsToDevice(const WritableFolder& folder, const std::string& name) {
 void CheckReplaced(const OutputPath& path) {
   const auto folder = WritableFolder::Find(path.Folder());
   const auto there = folder ? folder->StatusOf(path.Name()) : std::nullopt;
-  if (there && S_ISDIR(there->st_mode)) FailToWrite(path, "is a folder, not a file");
+  if (there && there->kind == FileKind::kFolder) FailToWrite(path, "is a folder, not a file");
   if (IsAmongDevices(path.named()) || (there && LeadsToDevice(*folder, path.Name()))) {
     FailToWrite(path, "is a device or a pipe, or leads to one, and no file");
   }
-  if (there && S_ISLNK(there->st_mode)) RefuseLink(path.string());
+  if (there && there->kind == FileKind::kLink) RefuseLink(path.string());
 }
 
 }  // namespace
@@ -109,8 +114,9 @@ void WriteFileAtomically(const OutputPath& path, const std::function<void(std::o
   } catch (const std::ios_base::failure&) {
     FailToWrite(path, std::strerror(errno));
   }
-  const int reason = temporary.RenameTo(path.Name());
-  if (reason != 0) FailToWrite(path, std::strerror(reason));
+  if (const std::error_code error = temporary.RenameTo(path.Name())) {
+    FailToWrite(path, error.message());
+  }
 }
 
 void WriteFileAtomically(const OutputPath& path, std::string_view bytes) {

@@ -10,6 +10,7 @@
 
 #include <sys/stat.h>
 
+#include "limn/files/call_error.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -54,45 +55,45 @@ TemporaryPath::~TemporaryPath() {
   Writes().paths.erase(this);
 }
 
-int TemporaryPath::RenameTo(const std::string& name) {
+std::error_code TemporaryPath::RenameTo(const std::string& name) {
   const std::lock_guard lock(Writes().mutex);
-  if (const int reason = Rename(path_.Name(), name)) return reason;
+  if (const std::error_code error = Rename(path_.Name(), name)) return error;
   is_renamed_ = true;
   // What is in a temporary folder is not a result yet.
   const bool is_inside = std::ranges::any_of(Writes().paths, [&](const TemporaryPath* other) {
     return other->path().string() == folder_.path();
   });
   if (!is_inside) ++Writes().num_renamed;
-  return 0;
+  return {};
 }
 
-int TemporaryPath::Replace(const std::string& name) {
+std::error_code TemporaryPath::Replace(const std::string& name) {
   const std::lock_guard lock(Writes().mutex);
   const int folder = folder_.descriptor();
   // From now on the old one has the temporary name.
   if (renameat2(folder, path_.Name().c_str(), folder, name.c_str(), RENAME_EXCHANGE) != 0) {
-    if (errno != EINVAL && errno != ENOSYS) return errno;
-    if (const int reason = ExchangeInSteps(name)) return reason;
+    if (errno != EINVAL && errno != ENOSYS) return {errno, std::generic_category()};
+    if (const std::error_code error = ExchangeInSteps(name)) return error;
   }
   ++Writes().num_renamed;
-  return 0;
+  return {};
 }
 
 // Where the file system cannot exchange names. A kill in between leaves the old one as <name>.old.
-int TemporaryPath::ExchangeInSteps(const std::string& name) const {
+std::error_code TemporaryPath::ExchangeInSteps(const std::string& name) const {
   const std::string old = name + ".old";
-  if (const int reason = Rename(name, old)) return reason;
-  if (const int reason = Rename(path_.Name(), name)) {
+  if (const std::error_code error = Rename(name, old)) return error;
+  if (const std::error_code error = Rename(path_.Name(), name)) {
     Rename(old, name);
-    return reason;
+    return error;
   }
   Rename(old, path_.Name());
-  return 0;
+  return {};
 }
 
-int TemporaryPath::Rename(const std::string& from, const std::string& to) const {
+std::error_code TemporaryPath::Rename(const std::string& from, const std::string& to) const {
   const int folder = folder_.descriptor();
-  return renameat(folder, from.c_str(), folder, to.c_str()) == 0 ? 0 : errno;
+  return ErrorOf(renameat(folder, from.c_str(), folder, to.c_str()));
 }
 
 void MakeEmptyFolder(const WritableFolder& folder, const std::string& name) {
@@ -110,8 +111,8 @@ void AbandonWrites() {
   for (const TemporaryPath* temporary : Writes().paths) {
     if (temporary->is_renamed_) continue;
     for (int i = 0; i < kMaxTimes; ++i) {
-      const int reason = temporary->folder_.RemoveAll(temporary->path_.Name());
-      if (reason == 0 || reason == ENOENT) break;
+      const std::error_code error = temporary->folder_.RemoveAll(temporary->path_.Name());
+      if (!error || error == std::errc::no_such_file_or_directory) break;
     }
   }
 }

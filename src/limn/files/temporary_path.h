@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <system_error>
 
 #include "limn/files/output_path.h"
 #include "limn/files/writable_folder.h"
@@ -23,15 +24,16 @@ class TemporaryPath {
 
   const OutputPath& path() const { return path_; }
 
-  // Gives it its final name, in the same folder and in one step. Returns 0, or errno.
-  int RenameTo(const std::string& name);
+  // Gives it its final name, in the same folder and in one step. Returns no error, or why it
+  // cannot.
+  std::error_code RenameTo(const std::string& name);
   // The same in the place of a folder of this name, which is removed: as soon as this object is.
-  int Replace(const std::string& name);
+  std::error_code Replace(const std::string& name);
 
  private:
   friend void AbandonWrites();
-  int Rename(const std::string& from, const std::string& to) const;
-  int ExchangeInSteps(const std::string& name) const;
+  std::error_code Rename(const std::string& from, const std::string& to) const;
+  std::error_code ExchangeInSteps(const std::string& name) const;
 
   OutputPath path_;
   bool is_renamed_ = false;

@@ -8,8 +8,10 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include "limn/files/call_error.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -42,8 +44,8 @@ std::vector<std::string> PartsOf(const OutputPath& folder) {
 [[noreturn]] void RefuseWay(const WritableFolder& folder, const std::string& name, int reason) {
   const std::string path = Join(folder.path(), name);
   const auto status = folder.StatusOf(name);
-  if (status && S_ISLNK(status->st_mode)) RefuseLink(path);
-  if (status && !S_ISDIR(status->st_mode)) RefuseFile(path);
+  if (status && status->kind == FileKind::kLink) RefuseLink(path);
+  if (status && status->kind != FileKind::kFolder) RefuseFile(path);
   throw IoError(path, std::string("cannot be opened: ") + std::strerror(reason));
 }
 
@@ -75,9 +77,9 @@ void MakeNamed(const fs::path& named) {
 void CheckNoLinksIn(const WritableFolder& folder) {
   for (const std::string& name : folder.Names()) {
     const auto status = folder.StatusOf(name);
-    const bool is_link = status && S_ISLNK(status->st_mode);
+    const bool is_link = status && status->kind == FileKind::kLink;
     if (is_link && !name.ends_with(kTemporarySuffix)) RefuseLink(Join(folder.path(), name));
-    if (!status || !S_ISDIR(status->st_mode)) continue;
+    if (!status || status->kind != FileKind::kFolder) continue;
     if (const auto inner = folder.Enter(name)) CheckNoLinksIn(*inner);
   }
 }
@@ -141,10 +143,8 @@ WritableFolder WritableFolder::Nearest(const OutputPath& folder) {
   return {OpenNamed(named), named.string()};
 }
 
-std::optional<struct stat> WritableFolder::StatusOf(const std::string& name) const {
-  struct stat status = {};
-  if (fstatat(descriptor(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) return std::nullopt;
-  return status;
+std::optional<FileStatus> WritableFolder::StatusOf(const std::string& name) const {
+  return StatusInFolder(descriptor(), name);
 }
 
 std::vector<std::string> WritableFolder::Names() const {
@@ -167,15 +167,19 @@ std::optional<WritableFolder> WritableFolder::Enter(const std::string& name) con
   return WritableFolder(std::move(inner), Join(path_, name));
 }
 
-int WritableFolder::Remove(const std::string& name) const {
-  return unlinkat(descriptor(), name.c_str(), 0) == 0 ? 0 : errno;
+std::error_code WritableFolder::WhyNoFile() const {
+  return ErrorOf(faccessat(descriptor(), ".", W_OK | X_OK, 0));
 }
 
-int WritableFolder::RemoveEmptyFolder(const std::string& name) const {
-  return unlinkat(descriptor(), name.c_str(), AT_REMOVEDIR) == 0 ? 0 : errno;
+std::error_code WritableFolder::Remove(const std::string& name) const {
+  return ErrorOf(unlinkat(descriptor(), name.c_str(), 0));
 }
 
-int WritableFolder::RemoveAll(const std::string& name) const {
+std::error_code WritableFolder::RemoveEmptyFolder(const std::string& name) const {
+  return ErrorOf(unlinkat(descriptor(), name.c_str(), AT_REMOVEDIR));
+}
+
+std::error_code WritableFolder::RemoveAll(const std::string& name) const {
   const auto inner = Enter(name);
   if (!inner) return Remove(name);
   for (const std::string& below : inner->Names()) inner->RemoveAll(below);
@@ -188,9 +192,9 @@ void CheckHoldsNoLinks(const OutputPath& folder) {
 
 void RemoveFile(const OutputPath& path) {
   const auto folder = WritableFolder::Find(path.Folder());
-  const int reason = folder ? folder->Remove(path.Name()) : 0;
-  if (reason == 0 || reason == ENOENT) return;
-  throw IoError(path.string(), std::string("cannot be removed: ") + std::strerror(reason));
+  const std::error_code error = folder ? folder->Remove(path.Name()) : std::error_code();
+  if (!error || error == std::errc::no_such_file_or_directory) return;
+  throw IoError(path.string(), "cannot be removed: " + error.message());
 }
 
 }  // namespace limn

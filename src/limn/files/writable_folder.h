@@ -2,11 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
-#include <sys/stat.h>
-
 #include "limn/files/file_descriptor.h"
+#include "limn/files/file_status.h"
 #include "limn/files/output_path.h"
 
 namespace limn {
@@ -28,16 +28,19 @@ class WritableFolder {
   int descriptor() const { return descriptor_.number(); }
 
   // Of a link itself. Nothing if there is none of this name.
-  std::optional<struct stat> StatusOf(const std::string& name) const;
+  std::optional<FileStatus> StatusOf(const std::string& name) const;
   // Without "." and "..", in any order. Empty if they cannot be read.
   std::vector<std::string> Names() const;
   // Of a folder in it; nothing if this is none, or a link.
   std::optional<WritableFolder> Enter(const std::string& name) const;
 
-  // Return 0, or errno.
-  int Remove(const std::string& name) const;  // a file or link
-  int RemoveEmptyFolder(const std::string& name) const;
-  int RemoveAll(const std::string& name) const;  // with all that is in it
+  // Why this user can make no file in it; no error if they can.
+  std::error_code WhyNoFile() const;
+
+  // Return no error, or why it is still there.
+  std::error_code Remove(const std::string& name) const;  // a file or link
+  std::error_code RemoveEmptyFolder(const std::string& name) const;
+  std::error_code RemoveAll(const std::string& name) const;  // with all that is in it
 
  private:
   WritableFolder(FileDescriptor descriptor, std::string path)

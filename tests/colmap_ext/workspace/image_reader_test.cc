@@ -16,11 +16,11 @@
 #include <unistd.h>
 
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/error_line.h"
 #include "colmap_ext/workspace/exif_of_jpeg.h"
 #include "colmap_ext/workspace/image_header.h"
 #include "colmap_ext/workspace/image_traits.h"
-#include "colmap_ext/workspace/quiet_decoders.h"
+#include "limn/files/error_line.h"
+#include "limn/files/quiet_decoders.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

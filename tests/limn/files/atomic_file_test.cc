@@ -65,6 +65,19 @@ TEST(WriteFileAtomically, SaysWhichFileCannotBeWritten) {
   }
 }
 
+// Not that the file which it would replace is missing.
+TEST(WriteFileAtomically, SaysWhyTheTemporaryFileCannotBeMade) {
+  if (!std::filesystem::exists("/sys/kernel")) GTEST_SKIP() << "no folder that takes no file";
+  try {
+    WriteFileAtomically("/sys/kernel/limn.txt", "text");
+    FAIL() << "written";
+  } catch (const IoError& error) {
+    const std::string reason = error.what();
+    EXPECT_EQ(reason.find("/sys/kernel/limn.txt: cannot write: "), 0u) << reason;
+    EXPECT_EQ(reason.find("No such file"), std::string::npos) << reason;
+  }
+}
+
 TEST(WriteFileAtomically, TakesNamesAsLongAsTheyCanBe) {
   const TemporaryFolder folder;
   const std::string path = folder.Path(std::string(255, 'n'));
@@ -273,7 +286,7 @@ TEST(TemporaryPath, GoesAwayUnlessItIsRenamed) {
     WriteFileAtomically(path + ".tmp/inside", "no result yet");
     EXPECT_EQ(NumRenamed(), num_before);
     if (!renames) continue;
-    EXPECT_EQ(temporary.RenameTo("model"), 0);
+    EXPECT_EQ(temporary.RenameTo("model"), std::error_code());
   }
   EXPECT_EQ(NumFiles(path), 1);
   EXPECT_TRUE(std::filesystem::is_directory(path));

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <system_error>
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ TEST(TemporaryPath, ReplacesAFolderAsAWhole) {
     TemporaryPath temporary(OutputPath(result) + kTemporarySuffix, &MakeEmptyFolder);
     Fill(temporary.path().string(), "new");
     EXPECT_EQ(folder.Read(result + "/sub/file"), "old");
-    EXPECT_EQ(temporary.Replace("result"), 0);
+    EXPECT_EQ(temporary.Replace("result"), std::error_code());
     EXPECT_EQ(folder.Read(result + "/sub/file"), "new");
   }
   EXPECT_EQ(folder.Read(result + "/sub/file"), "new");
@@ -46,7 +47,7 @@ TEST(TemporaryPath, ReplacesNothingThatIsNotThere) {
   {
     TemporaryPath temporary(OutputPath(folder.Path("result.limn-tmp")), &MakeEmptyFolder);
     Fill(temporary.path().string(), "new");
-    EXPECT_EQ(temporary.Replace("result"), ENOENT);
+    EXPECT_EQ(temporary.Replace("result"), std::errc::no_such_file_or_directory);
   }
   EXPECT_EQ(NumEntries(folder.Path("")), 0u);
 }

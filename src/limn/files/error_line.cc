@@ -1,4 +1,4 @@
-#include "colmap_ext/workspace/error_line.h"
+#include "limn/files/error_line.h"
 
 #include <cstdio>
 #include <mutex>
@@ -7,7 +7,7 @@
 
 #include "limn/util/printable.h"
 
-namespace limn::colmap_ext {
+namespace limn {
 namespace {
 
 struct ErrorLines {
@@ -32,4 +32,4 @@ void SendErrorLinesTo(int descriptor) {
   Lines().descriptor = descriptor;
 }
 
-}  // namespace limn::colmap_ext
+}  // namespace limn

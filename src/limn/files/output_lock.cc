@@ -1,4 +1,4 @@
-#include "colmap_ext/workspace/output_lock.h"
+#include "limn/files/output_lock.h"
 
 #include <cerrno>
 #include <chrono>
@@ -18,7 +18,7 @@
 #include "limn/files/writable_folder.h"
 #include "limn/util/errors.h"
 
-namespace limn::colmap_ext {
+namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,9 +108,8 @@ int Lock(int file, LockMode mode) {
 bool IsIn(int file, const OutputPath& path) {
   const auto folder = WritableFolder::Find(path);
   const auto found = folder ? folder->StatusOf(kLockFile) : std::nullopt;
-  struct stat opened;
-  return found && fstat(file, &opened) == 0 && opened.st_dev == found->st_dev &&
-         opened.st_ino == found->st_ino;
+  const auto opened = StatusOfOpenFile(file);
+  return found && opened && opened->id == found->id;
 }
 
 }  // namespace
@@ -169,4 +168,4 @@ OutputLock::~OutputLock() {
   close(file_);
 }
 
-}  // namespace limn::colmap_ext
+}  // namespace limn

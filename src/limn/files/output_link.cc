@@ -1,16 +1,15 @@
-#include "colmap_ext/workspace/output_link.h"
+#include "limn/files/output_link.h"
 
 #include <cerrno>
 #include <cstring>
 #include <string>
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "limn/files/writable_folder.h"
 #include "limn/util/errors.h"
 
-namespace limn::colmap_ext {
+namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,7 +30,7 @@ fs::path PlaceOf(const fs::path& path) {
 bool MakeLink(const fs::path& target, const OutputPath& link) {
   const WritableFolder folder = WritableFolder::Make(link.Folder());
   const auto there = folder.StatusOf(link.Name());
-  if (there && S_ISDIR(there->st_mode)) {
+  if (there && there->kind == FileKind::kFolder) {
     throw IoError(link.string(), "is a folder, not the link that is to be made: remove it");
   }
   folder.Remove(link.Name());
@@ -42,4 +41,4 @@ bool MakeLink(const fs::path& target, const OutputPath& link) {
   throw IoError(link.string(), std::string("cannot be made: ") + std::strerror(reason));
 }
 
-}  // namespace limn::colmap_ext
+}  // namespace limn

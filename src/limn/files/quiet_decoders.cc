@@ -1,4 +1,4 @@
-#include "colmap_ext/workspace/quiet_decoders.h"
+#include "limn/files/quiet_decoders.h"
 
 #include <atomic>
 #include <mutex>
@@ -6,9 +6,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "colmap_ext/workspace/error_line.h"
+#include "limn/files/error_line.h"
 
-namespace limn::colmap_ext {
+namespace limn {
 namespace {
 
 std::atomic<bool> lines_are_hidden = false;
@@ -54,4 +54,4 @@ QuietDecoders::~QuietDecoders() {
   state.kept = -1;
 }
 
-}  // namespace limn::colmap_ext
+}  // namespace limn

@@ -5,13 +5,12 @@
 
 #include "limn/files/output_path.h"
 
-namespace limn::colmap_ext {
+namespace limn {
 
-// Whether other processes may use the folder of curves at the same time: none, or those that share
-// the lock.
+// Whether other processes may use a folder at the same time: none, or those that share the lock.
 enum class LockMode { kExclusive, kShared };
 
-// A lock (flock) on the file `.lock` in the folder of curves, during the lifetime of the object.
+// A lock (flock) on the file `.lock` in a folder of results, during the lifetime of the object.
 // The system releases it when the process ends in any way, so a file left by a killed process means
 // nothing. Works across hosts if the file system supports it (NFS does).
 class OutputLock {
@@ -38,4 +37,4 @@ class OutputLock {
   int file_ = -1;
 };
 
-}  // namespace limn::colmap_ext
+}  // namespace limn

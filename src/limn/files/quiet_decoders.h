@@ -1,6 +1,6 @@
 #pragma once
 
-namespace limn::colmap_ext {
+namespace limn {
 
 // Decoders of images print lines that name no file. A program that owns standard error may hide
 // them: once, before images are read.
@@ -19,4 +19,4 @@ class QuietDecoders {
   bool is_quiet_;
 };
 
-}  // namespace limn::colmap_ext
+}  // namespace limn

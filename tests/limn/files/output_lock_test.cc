@@ -1,4 +1,4 @@
-#include "colmap_ext/workspace/output_lock.h"
+#include "limn/files/output_lock.h"
 
 #include <optional>
 #include <thread>
@@ -13,7 +13,7 @@
 #include "colmap_ext/temp_dir.h"
 #include "limn/util/errors.h"
 
-namespace limn::colmap_ext {
+namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ TEST(OutputLock, TellsWhyTheFileCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace limn::colmap_ext
+}  // namespace limn
