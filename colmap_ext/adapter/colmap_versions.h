@@ -1,6 +1,6 @@
 #pragma once
 
-// COLMAP's library, and everything that differs between versions 3.8 and 4.1. The code asks
+// COLMAP's library, and everything that differs between versions 3.8 and 4.2. The code asks
 // COLMAP's classes what they have instead of comparing version numbers.
 
 #if __has_include(<colmap/scene/reconstruction.h>)

@@ -74,7 +74,8 @@ void CurveDrawerController::Draw() {
     pipeline.refine_cameras = CameraRefinement::kOff;
   }
   options.SetDerived();
-  LogConsole console(options.run.num_threads, [this] { return IsColmapStopped(this); });
+  LogConsole console(options.run.num_threads, PrintingAt(options.run.log_level),
+                     [this] { return IsColmapStopped(this); });
   const Project project(ToSparseModel(*reconstruction_), options.run, &console);
   if (options_.point_spacing_px > 0 && project.view_set().HasPanoramas()) {
     throw OptionError(

@@ -13,8 +13,11 @@ constexpr double kSecondsBetweenLogs = 2;
 
 }  // namespace
 
-LogConsole::LogConsole(int num_threads, std::function<bool()> is_stopped)
-    : Console(num_threads), ask_(std::move(is_stopped)), last_shown_(Clock::now()) {
+LogConsole::LogConsole(int num_threads, Printing printing, std::function<bool()> is_stopped)
+    : Console(num_threads),
+      printing_(printing),
+      ask_(std::move(is_stopped)),
+      last_shown_(Clock::now()) {
   mutable_context().progress = [this](const char* stage, size_t done, size_t total) {
     if (ask_()) is_stopped_ = true;
     ShowProgress(stage, done, total);
@@ -25,7 +28,7 @@ LogConsole::LogConsole(int num_threads, std::function<bool()> is_stopped)
 void LogConsole::ShowLine(const std::string& line) { LOG(INFO) << Printable(line); }
 
 void LogConsole::ShowStage(const RunLog::Stage& stage) {
-  for (const std::string& line : LinesOf(stage)) ShowLine(line);
+  for (const std::string& line : LinesOf(stage, printing_)) ShowLine(line);
 }
 
 void LogConsole::ShowProgress(const char* stage, size_t done, size_t total) {

@@ -9,12 +9,13 @@
 
 namespace limn::colmap_ext {
 
-// Writes to LOG(INFO), as COLMAP does; progress at most every two seconds.
+// Writes to LOG(INFO), as COLMAP does, as much of the stages as `printing` says; progress at most
+// every two seconds.
 class LogConsole : public Console {
  public:
   // `is_stopped` is called at every progress report and may block; the run stops when it returns
   // true.
-  LogConsole(int num_threads, std::function<bool()> is_stopped);
+  LogConsole(int num_threads, Printing printing, std::function<bool()> is_stopped);
 
   void ShowTable(const std::string& lines) override { ShowLine(lines); }
 
@@ -23,6 +24,7 @@ class LogConsole : public Console {
   void ShowStage(const RunLog::Stage& stage) override;
   void ShowProgress(const char* stage, size_t done, size_t total);
 
+  Printing printing_;
   std::function<bool()> ask_;
   std::atomic<bool> is_stopped_ = false;
   Clock::time_point last_shown_;

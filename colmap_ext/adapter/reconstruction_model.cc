@@ -10,6 +10,7 @@
 
 #include "colmap_ext/adapter/colmap_versions.h"
 #include "colmap_ext/model/model_builder.h"
+#include "colmap_ext/model/mounted_images.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -67,6 +68,27 @@ auto SortedIds(const Table& table) {
   return ids;
 }
 
+Rigid3d CheckedPose(const Rigid3d& pose, const char* what, uint32_t id) {
+  const Eigen::Quaterniond& q = pose.rotation;
+  return MakePose({q.w(), q.x(), q.y(), q.z()}, pose.translation, what + std::to_string(id),
+                  PlaceOf(id));
+}
+
+// What the reader does with those of files.
+void UseRigs(SparseModel* model) {
+  if (model->rigs.empty()) return;
+  for (Rig& rig : model->rigs) {
+    for (RigSensor& sensor : rig.sensors) {
+      if (!sensor.has_pose) continue;
+      sensor.sensor_from_rig = CheckedPose(sensor.sensor_from_rig, "rig ", rig.id);
+    }
+  }
+  for (Frame& frame : model->frames) {
+    frame.rig_from_world = CheckedPose(frame.rig_from_world, "frame ", frame.id);
+  }
+  ApplyRigs(model);
+}
+
 bool IsUnit(const Eigen::Quaterniond& rotation) {
   return std::abs(rotation.norm() - 1) <= 4 * std::numeric_limits<double>::epsilon();
 }
@@ -94,6 +116,7 @@ SparseModel ToSparseModel(const colmap::Reconstruction& reconstruction) {
   SparseModel model = builder.Finish();
   model.folder = kName;
   AddColmapRigs(reconstruction, &model);
+  UseRigs(&model);
   for (ModelImage& image : model.images) {
     const auto unit = unit_rotations.find(image.id);
     if (unit != unit_rotations.end()) image.cam_from_world.rotation = unit->second;

@@ -7,7 +7,7 @@
 
 namespace limn::colmap_ext {
 
-// COLMAP's camera models, 3.8 to 4.1. Ids and names have never changed their meaning between
+// COLMAP's camera models, 3.8 to 4.2. Ids and names have never changed their meaning between
 // releases.
 enum class CameraModelId : int32_t {
   kSimplePinhole = 0,

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -76,6 +78,40 @@ void AddPoint(MemoryModel* model, uint64_t id, const Values<double>& position,
   model->AddPoint(std::move(point));
 }
 
+Rigid3d ToPose(const Values<double>& rotation, const Values<double>& translation,
+               const std::string& what, uint32_t id) {
+  return MemoryModel::Pose({rotation.data(), static_cast<size_t>(rotation.size())},
+                           ToVector(translation, "translation"), what, id);
+}
+
+// Type and id of a sensor.
+using SensorPair = std::pair<int32_t, uint32_t>;
+// The id of a camera, and its pose in a rig.
+using CameraOfRig = std::tuple<uint32_t, Values<double>, Values<double>>;
+// The ids of an image and of its camera.
+using ImageOfFrame = std::pair<uint32_t, uint32_t>;
+
+void AddRig(MemoryModel* model, uint32_t id, const SensorPair& reference,
+            const std::vector<CameraOfRig>& cameras) {
+  Rig rig;
+  rig.id = id;
+  rig.sensors.push_back({{reference.first, reference.second}, true, {}});
+  for (const auto& [camera_id, rotation, translation] : cameras) {
+    rig.sensors.push_back(
+        {{kCameraSensor, camera_id}, true, ToPose(rotation, translation, "rig", id)});
+  }
+  model->AddRig(std::move(rig));
+}
+
+void AddFrame(MemoryModel* model, uint32_t id, uint32_t rig_id, const Values<double>& rotation,
+              const Values<double>& translation, const std::vector<ImageOfFrame>& images) {
+  Frame frame = {id, rig_id, ToPose(rotation, translation, "frame", id), {}};
+  for (const auto& [image_id, camera_id] : images) {
+    frame.data.push_back({{kCameraSensor, camera_id}, image_id});
+  }
+  model->AddFrame(std::move(frame));
+}
+
 template <typename Number>
 std::vector<Number> CopyValues(const py::array& array) {
   const Values<Number> values(array);
@@ -144,6 +180,11 @@ void BindMemory(py::module_* module) {
            "rotation: 3 x 3, or a quaternion w, x, y, z; positions: N x 2 in COLMAP's pixels.")
       .def("add_point", AddPoint, py::arg("id"), py::arg("position"), py::arg("color"),
            py::arg("error"), py::arg("track"))
+      .def("add_rig", AddRig, py::arg("id"), py::arg("reference"), py::arg("cameras"),
+           "reference: type and id of its sensor; cameras: id, rotation and translation of others.")
+      .def("add_frame", AddFrame, py::arg("id"), py::arg("rig_id"), py::arg("rotation"),
+           py::arg("translation"), py::arg("images"),
+           "images: their ids and those of their cameras.")
       .def(
           "add_view",
           [](MemoryModel* model, const std::string& name, const Values<double>& K,

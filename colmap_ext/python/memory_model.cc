@@ -2,6 +2,7 @@
 
 #include "colmap_ext/host/run_needs.h"
 #include "colmap_ext/import/calibration.h"
+#include "colmap_ext/model/mounted_images.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -64,6 +65,21 @@ void MemoryModel::AddImage(ModelImage image, const Eigen::Matrix3d& rotation) {
   AddImage(std::move(image), std::array<double, 4>{q.w(), q.x(), q.y(), q.z()});
 }
 
+Rigid3d MemoryModel::Pose(std::span<const double> rotation, const Eigen::Vector3d& translation,
+                          const std::string& what, uint32_t id) {
+  const FilePlace place = {Place(), what.c_str(), id};
+  return AsInputErrors([&]() -> Rigid3d {
+    if (rotation.size() == 4) {
+      return MakePose({rotation[0], rotation[1], rotation[2], rotation[3]}, translation, what,
+                      place);
+    }
+    if (rotation.size() != 9) place.Fail("the rotation must be 3 x 3 or have 4 numbers");
+    using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    const Eigen::Quaterniond q = RotationFromMatrix(Eigen::Map<const Rows>(rotation.data()), place);
+    return MakePose({q.w(), q.x(), q.y(), q.z()}, translation, what, place);
+  });
+}
+
 void MemoryModel::AddView(const std::string& name, const Eigen::Matrix3d& calibration,
                           const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation,
                           ImageSize size) {
@@ -95,7 +111,13 @@ void MemoryModel::AddPhoto(const std::string& name, PhotoPixels pixels) {
 
 SparseModel MemoryModel::TakeModel(PixelCenters pixel_centers) {
   return AsInputErrors([&] {
-    if (views_.images.empty()) return builder_.Finish();
+    if (views_.images.empty()) {
+      SparseModel model = builder_.Finish();
+      model.rigs = std::move(rigs_);
+      model.frames = std::move(frames_);
+      if (!model.rigs.empty()) ApplyRigs(&model);
+      return model;
+    }
     return ToSparseModel(std::move(views_), {.pixel_centers = pixel_centers});
   });
 }

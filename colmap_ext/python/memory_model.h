@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,15 @@ class MemoryModel {
   // `rotation`: a matrix.
   void AddImage(ModelImage image, const Eigen::Matrix3d& rotation);
   void AddPoint(ModelPoint point) { builder_.AddPoint(std::move(point)); }
+  // Rigs and frames, in any order: poses of their images become those that they compose, as in
+  // files. Poses are those of MemoryModel::Pose.
+  void AddRig(Rig rig) { rigs_.push_back(std::move(rig)); }
+  void AddFrame(Frame frame) { frames_.push_back(std::move(frame)); }
+
+  // Checked and normalized. `rotation`: w, x, y, z, or the nine numbers of a matrix, row by row;
+  // `what` is named in errors.
+  static Rigid3d Pose(std::span<const double> rotation, const Eigen::Vector3d& translation,
+                      const std::string& what, uint32_t id);
 
   // Instead of records: a pinhole camera x_px = K (R X + t) with its image.
   void AddView(const std::string& name, const Eigen::Matrix3d& calibration,
@@ -51,6 +61,8 @@ class MemoryModel {
  private:
   MadeWith made_;
   ModelBuilder builder_;
+  std::vector<Rig> rigs_;
+  std::vector<Frame> frames_;
   ImportedScene views_;
   std::map<std::string, PhotoPixels> photos_;
 };

@@ -7,6 +7,7 @@
 
 #include "colmap_ext/host/plugin.h"
 #include "colmap_ext/import/new_model_folder.h"
+#include "colmap_ext/verbs/curves_in_model.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
 #include "colmap_ext/workspace/output_check.h"
@@ -21,18 +22,23 @@
 namespace limn::colmap_ext {
 namespace {
 
-// A model of LIMAP, in a folder: the format that goes with cameras.
+// A model of LIMAP or COLMAP, in a folder: the formats that go with cameras.
 constexpr const char* kLimapFormat = "limap";
+constexpr const char* kColmapFormat = "colmap";
+
+bool IsModel(const std::string& format) {
+  return format == kLimapFormat || format == kColmapFormat;
+}
 
 std::string FormatName(const ExporterOptions& options) {
-  if (options.format.format == kLimapFormat) return kLimapFormat;
+  if (IsModel(options.format.format)) return options.format.format;
   return DrawingFormatOf(options.output_path, options.format);
 }
 
 // Neither turned nor scaled.
 bool IsInModel(const ExporterOptions& options) {
   const std::string name = FormatName(options);
-  return name == kLimapFormat || (name == "svg" && !options.svg.IsSheet());
+  return IsModel(name) || (name == "svg" && !options.svg.IsSheet());
 }
 
 bool IsMetric(const DrawingMetadata& metadata) {
@@ -206,15 +212,10 @@ std::string InputPath(const ExporterOptions& options, Console* console) {
   return found;
 }
 
-size_t ExportLimap(DrawingFile drawing, const ExporterOptions& options, Console* console) {
-  drawing.graph = Selected(std::move(drawing.graph), options.selection.Selection());
-  const WorkspaceLayout layout = ResolveLayout(options.workspace);
-  if (!layout.note.empty()) console->Say(layout.note);
-  SparseModel model = ReadModelOf(layout);
-  const ViewSet views = ToViews(model, layout.image_dir, {}, console->context());
+size_t ExportLimap(DrawingFile drawing, SparseModel model, const std::vector<View>& views,
+                   const ExporterOptions& options, Console* console) {
   const size_t num_links = drawing.graph.links.size();
-  const LimapModel limap =
-      ToLimap(std::move(drawing), std::move(model), views.views, options.chains);
+  const LimapModel limap = ToLimap(std::move(drawing), std::move(model), views, options.chains);
   WriteNewModel(limap.model, options.output_path, ModelFlavor::kBinary,
                 [&](const OutputPath& folder) {
                   WriteLimapStructures(limap.structures, folder / "structures");
@@ -224,9 +225,31 @@ size_t ExportLimap(DrawingFile drawing, const ExporterOptions& options, Console*
   return options.chains ? num_links : limap.structures.lines.size();
 }
 
+size_t ExportColmap(DrawingFile drawing, SparseModel model, const std::vector<View>& views,
+                    const ExporterOptions& options, Console* console) {
+  const size_t num_links = drawing.graph.links.size();
+  const size_t num_before = model.points.size();
+  const SparseModel with_curves =
+      WithCurves(std::move(drawing), std::move(model), views, options.point_spacing_px);
+  WriteNewModel(with_curves, options.output_path, ModelFlavor::kBinary);
+  console->Say(std::to_string(with_curves.points.size() - num_before) +
+               " points of curves beside " + std::to_string(num_before) + " of the model");
+  return num_links;
+}
+
+size_t ExportModel(DrawingFile drawing, const ExporterOptions& options, Console* console) {
+  drawing.graph = Selected(std::move(drawing.graph), options.selection.Selection());
+  const WorkspaceLayout layout = ResolveLayout(options.workspace);
+  if (!layout.note.empty()) console->Say(layout.note);
+  SparseModel model = ReadModelOf(layout);
+  const ViewSet set = ToViews(model, layout.image_dir, {}, console->context());
+  const auto write = FormatName(options) == kLimapFormat ? ExportLimap : ExportColmap;
+  return write(std::move(drawing), std::move(model), set.views, options, console);
+}
+
 size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* console) {
   WarnOfUnknownCurves(drawing.graph, options.selection.detail, console);
-  if (FormatName(options) == kLimapFormat) return ExportLimap(std::move(drawing), options, console);
+  if (IsModel(FormatName(options))) return ExportModel(std::move(drawing), options, console);
   DrawingMetadata& metadata = drawing.metadata;
   const FileFrame frame = FrameOf(options, metadata);
   if (options.sigmas) {
@@ -277,7 +300,7 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
 }
 
 void CheckOutput(const ExporterOptions& options) {
-  if (FormatName(options) == kLimapFormat) {
+  if (IsModel(FormatName(options))) {
     CheckNewModelFolder(options.output_path);
     return;
   }
@@ -320,14 +343,15 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   std::vector<std::string> formats = DrawingFormats();
   formats.insert(formats.begin(), kAutoFormat);
   formats.push_back(kLimapFormat);
+  formats.push_back(kColmapFormat);
   parser->AddOption("input_path", &input_path,
                     BasicOption("a drawing.json or a model of LIMAP, instead of the newest drawing "
                                 "of the workspace"));
   parser->AddOption("output_path", &output_path,
-                    BasicOption("the file to write; for limap a new folder"));
+                    BasicOption("the file to write; for limap and colmap a new folder"));
   parser->AddOption("workspace_path", &workspace.workspace_path,
                     BasicOption("COLMAP project: where the drawing is, the image of an SVG, the "
-                                "model for limap"));
+                                "model for limap and colmap"));
   parser->AddOption("image_path", &workspace.image_path, "images of the project");
   parser->AddOption("model_index", &workspace.model_index, "which of its models");
   parser->AddOption("overwrite", &overwrite, BasicOption(kOverwriteHelp));
@@ -358,6 +382,8 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
                     "DXF plans: lines that are level or plumb within their uncertainty are so");
   parser->AddOption("chains", &chains,
                     "limap: also links that are not straight, as chains of lines");
+  parser->AddOption("point_spacing_px", &point_spacing_px,
+                    "colmap: distance of the points along curves, px");
 }
 
 bool ExporterOptions::IsAligned() const { return aligned || !svg.plan.section.empty(); }
@@ -388,16 +414,17 @@ void ExporterOptions::Check() const {
   if (!svg.plan.section.empty() && name != "svg" && name != "dxf") {
     throw OptionError("section: only in .svg and .dxf files");
   }
-  if (name == kLimapFormat && workspace.workspace_path.empty()) {
-    throw OptionError("output_type = limap: the cameras of --workspace_path go with it");
+  LIMN_CHECK_RANGE(point_spacing_px, >= 0.1, <= 1e4);
+  if (IsModel(name) && workspace.workspace_path.empty()) {
+    throw OptionError("output_type = " + name + ": the cameras of --workspace_path go with it");
   }
-  if (name == kLimapFormat && format.unit != LengthUnit::kNone) {
-    throw OptionError("unit: a model of LIMAP keeps its coordinates");
+  if (IsModel(name) && format.unit != LengthUnit::kNone) {
+    throw OptionError("unit: a model keeps its coordinates");
   }
   if (IsInModel(*this) && (scale != 1 || up_axis != SignedAxis::kZ || aligned)) {
     throw OptionError("scale, up_axis and aligned: " +
                       std::string(name == "svg" ? "the picture of an image is in its pixels"
-                                                : "a model of LIMAP keeps its coordinates"));
+                                                : "a model keeps its coordinates"));
   }
 }
 

@@ -38,6 +38,8 @@ struct ExporterOptions {
   bool regularize = true;
   // LIMAP: include links that are not straight.
   bool chains = false;
+  // COLMAP: distance of the points along curves.
+  double point_spacing_px = 2;
 
   void AddOptions(OptionParser* parser);
   // Sections are horizontal in the aligned world.

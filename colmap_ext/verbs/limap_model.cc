@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "colmap_ext/model/model_reader.h"
+#include "colmap_ext/verbs/views_of_drawing.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/model/footprint.h"
@@ -89,12 +90,11 @@ void CheckPinholes(const SparseModel& model) {
 class LimapMaker {
  public:
   LimapMaker(DrawingFile drawing, SparseModel model, const std::vector<View>& views)
-      : graph_(std::move(drawing.graph)), views_(views) {
+      : graph_(WithViewsOf(model, views, std::move(drawing))), views_(views) {
     made_.model = std::move(model);
     made_.structures.images.resize(made_.model.images.size());
     view_of_image_.resize(made_.model.images.size());
     for (const View& view : views_) view_of_image_[view.model_index] = &view;
-    RenumberViews(drawing.metadata.view_names);
     num_joints_ = static_cast<int>(graph_.nodes.size());
   }
 
@@ -113,34 +113,6 @@ class LimapMaker {
   }
 
  private:
-  // Links are supported by the views of the model, of which the drawing may have only some, in
-  // another order.
-  void RenumberViews(const std::vector<std::string>& names_in_drawing) {
-    std::vector<std::optional<ViewId>> found;
-    for (const std::string& name : names_in_drawing) found.push_back(Find(name));
-    for (DrawingLink& link : graph_.links) {
-      std::vector<ViewId> supporting;
-      for (const ViewId id : link.supporting_views) {
-        if (found.at(id)) supporting.push_back(*found[id]);
-      }
-      link.supporting_views = std::move(supporting);
-    }
-  }
-
-  // Nothing if the image is in the model but has no view, such as a duplicate.
-  std::optional<ViewId> Find(const std::string& name) const {
-    for (size_t v = 0; v < views_.size(); ++v) {
-      if (views_[v].name == name) return static_cast<ViewId>(v);
-    }
-    const auto& images = made_.model.images;
-    if (std::none_of(images.begin(), images.end(),
-                     [&](const ModelImage& image) { return image.name == name; })) {
-      throw IoError(made_.model.folder.string(),
-                    "the model has no image " + name + ", which the drawing has");
-    }
-    return std::nullopt;
-  }
-
   void AddPieces(LinkId id, bool chains) {
     const DrawingLink& link = graph_.links[id];
     if (LineOf(link)) {

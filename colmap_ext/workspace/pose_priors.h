@@ -25,7 +25,7 @@ struct PosePrior {
 // By the name of the image.
 using PosePriors = std::map<std::string, PosePrior>;
 
-// Reads the priors of these images of a database of COLMAP 3.4 to 4.1: table pose_priors, or, in
+// Reads the priors of these images of a database of COLMAP 3.4 to 4.2: table pose_priors, or, in
 // databases without one, the columns prior_* of images, where COLMAP stores geographic positions
 // (unless some are not on earth); with a rotation they are the pose of the camera in a frame with z
 // up. Images without priors are left out, and so are the priors of other sensors than cameras.

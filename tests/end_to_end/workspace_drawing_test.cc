@@ -213,8 +213,36 @@ TEST_F(WorkspaceDrawing, GoesToLimapAndBack) {
   EXPECT_THAT(Run("drawing_exporter",
                   {"--output_path", Path("l2"), "--output_type", "limap", "--scale", "2"})
                   .err,
-              HasSubstr("a model of LIMAP keeps its coordinates"));
+              HasSubstr("a model keeps its coordinates"));
   EXPECT_FALSE(fs::exists(dir_ / "l2"));
+}
+
+TEST_F(WorkspaceDrawing, GoesToColmapAsPoints) {
+  Store("drawing.json");
+  const auto run = [&](const std::string& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> options = {"--output_path", Path(folder), "--output_type", "colmap"};
+    options.insert(options.end(), more.begin(), more.end());
+    return Run("drawing_exporter", options);
+  };
+  const LimnRun made = run("curves", {});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr(" points of curves beside "));
+  const colmap_ext::SparseModel before = colmap_ext::ReadColmapModel(dir_ / "sparse");
+  const colmap_ext::SparseModel model = colmap_ext::ReadColmapModel(dir_ / "curves");
+  EXPECT_TRUE(model.warnings.empty());
+  EXPECT_EQ(model.images.size(), before.images.size());
+  EXPECT_GT(model.points.size(), before.points.size() + 20);
+  // COLMAP's viewers show points of three or more images.
+  for (size_t p = before.points.size(); p < model.points.size(); ++p) {
+    ASSERT_EQ(model.points[p].track.size(), drawing_.graph.links[0].supporting_views.size());
+  }
+  ASSERT_EQ(run("dotted", {"--point_spacing_px", "20"}).exit_code, 0);
+  EXPECT_LT(colmap_ext::ReadColmapModel(dir_ / "dotted").points.size() - before.points.size(),
+            (model.points.size() - before.points.size()) / 5);
+  EXPECT_THAT(run("curves", {}).err, HasSubstr("holds a model already"));
+  EXPECT_THAT(run("c2", {"--aligned", "1"}).err, HasSubstr("a model keeps its coordinates"));
+  EXPECT_THAT(run("c2", {"--point_spacing_px", "0"}).err, HasSubstr("point_spacing_px"));
+  EXPECT_FALSE(fs::exists(dir_ / "c2"));
 }
 
 // A square of 0.4 above the objects, and beside it the same once more.

@@ -86,15 +86,18 @@ def _value(attribute: Any) -> Any:
     return attribute() if callable(attribute) else attribute
 
 
+def _transform(pose: Any) -> tuple[Any, Any]:
+    """Rotation (quaternion w, x, y, z or a matrix) and translation of an object like pycolmap.Rigid3d."""
+    quaternion = getattr(pose.rotation, "quat", None)
+    if quaternion is None:
+        return np.asarray(pose.rotation.matrix()), np.asarray(pose.translation)
+    x, y, z, w = np.asarray(quaternion)
+    return np.array([w, x, y, z]), np.asarray(pose.translation)
+
+
 def _pose(image: Any) -> tuple[Any, Any]:
-    """Rotation (quaternion w, x, y, z or a matrix) and translation."""
     if hasattr(image, "cam_from_world"):
-        pose = _value(image.cam_from_world)
-        quaternion = getattr(pose.rotation, "quat", None)
-        if quaternion is None:
-            return np.asarray(pose.rotation.matrix()), np.asarray(pose.translation)
-        x, y, z, w = np.asarray(quaternion)
-        return np.array([w, x, y, z]), np.asarray(pose.translation)
+        return _transform(_value(image.cam_from_world))
     return np.asarray(image.qvec), np.asarray(image.tvec)
 
 
@@ -109,11 +112,15 @@ def _point_ids(points2D: Iterable[Any]) -> Any:
     return np.array(ids, dtype=np.uint64)
 
 
+def _images_with_pose(reconstruction: Any) -> Iterable[tuple[int, Any]]:
+    for image_id, image in sorted(reconstruction.images.items()):
+        if _value(getattr(image, "has_pose", getattr(image, "registered", True))):
+            yield image_id, image
+
+
 def _add_images(reconstruction: Any, model: MemoryModel) -> list[str]:
     names = []
-    for image_id, image in sorted(reconstruction.images.items()):
-        if not _value(getattr(image, "has_pose", getattr(image, "registered", True))):
-            continue
+    for image_id, image in _images_with_pose(reconstruction):
         points2D = list(getattr(image, "points2D", []))
         positions = np.array([np.asarray(point.xy) for point in points2D], dtype=float).reshape(-1, 2)
         rotation, translation = _pose(image)
@@ -122,12 +129,36 @@ def _add_images(reconstruction: Any, model: MemoryModel) -> list[str]:
     return names
 
 
+def _add_rigs(reconstruction: Any, model: MemoryModel) -> None:
+    """Of the images with a pose, in pycolmap from 3.12 on. Its sets of sensors and data cannot be read in all of these
+    versions; images, frames and rigs can be asked for their own."""
+    images_of_frame: dict[int, list[tuple[int, int]]] = {}
+    cameras_of_rig: dict[int, set[int]] = {}
+    for image_id, image in _images_with_pose(reconstruction):
+        frame = reconstruction.frames[image.frame_id]
+        images_of_frame.setdefault(image.frame_id, []).append((image_id, image.camera_id))
+        cameras_of_rig.setdefault(frame.rig_id, set()).add(image.camera_id)
+    for rig_id, camera_ids in sorted(cameras_of_rig.items()):
+        rig = reconstruction.rigs[rig_id]
+        reference = rig.ref_sensor_id
+        cameras = []
+        for camera_id in sorted(camera_ids):
+            sensor = reconstruction.cameras[camera_id].sensor_id
+            if not rig.is_ref_sensor(sensor):
+                cameras.append((camera_id, *_transform(rig.sensor_from_rig(sensor))))
+        model.add_rig(rig_id, (int(reference.type), reference.id), cameras)
+    for frame_id, images in sorted(images_of_frame.items()):
+        frame = reconstruction.frames[frame_id]
+        model.add_frame(frame_id, frame.rig_id, *_transform(frame.rig_from_world), images)
+
+
 def scene_from_reconstruction(reconstruction: Any, image_path: Any = None, images: Optional[Mapping[str, Any]] = None,
                               progress: Any = None, **options: Any) -> Scene:
     """The scene of an object like pycolmap.Reconstruction, which is copied.
 
     It has the dictionaries cameras (model_name or model, params, width, height), images (name, camera_id,
-    cam_from_world, points2D) and points3D (xyz, color, error, track.elements).
+    cam_from_world, points2D) and points3D (xyz, color, error, track.elements). From COLMAP 3.12 on also rigs and
+    frames, from which poses of images are composed: images of a frame move together when cameras are refined.
     image_path: the folder of its images; or images: arrays by name, as of Scene.from_arrays(). Options as of
     limn.open().
     """
@@ -137,6 +168,8 @@ def scene_from_reconstruction(reconstruction: Any, image_path: Any = None, image
     for camera_id, camera in sorted(reconstruction.cameras.items()):
         model.add_camera(camera_id, _model_name(camera), camera.width, camera.height, list(camera.params))
     names = _add_images(reconstruction, model)
+    if getattr(reconstruction, "rigs", None):
+        _add_rigs(reconstruction, model)
     for point_id, point in sorted(getattr(reconstruction, "points3D", {}).items()):
         track = [(element.image_id, element.point2D_idx) for element in point.track.elements]
         color = [int(value) for value in point.color]

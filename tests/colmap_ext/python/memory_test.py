@@ -82,6 +82,70 @@ class Reconstruction:
         return struct.unpack(form, file.read(struct.calcsize(form)))
 
 
+def compose(one, other):
+    """The transform of `other`, then `one`, as w, x, y, z and translation."""
+    (w, x, y, z), (a, b, c, d) = one[0], other[0]
+    rotation = [w * a - x * b - y * c - z * d, w * b + x * a + y * d - z * c,
+                w * c - x * d + y * a + z * b, w * d + x * c - y * b + z * a]
+    return rotation, Rotation(one[0], False).matrix() @ other[1] + one[1]
+
+
+def inverse(pose):
+    rotation = np.array(pose[0]) * [1, -1, -1, -1]
+    return rotation, -Rotation(rotation, False).matrix() @ pose[1]
+
+
+class MountedInPairs:
+    """The images of a reconstruction, each with a camera of its own, as frames of two on a rig: as files, and as in
+    pycolmap from 3.12 on. The sets of sensors and data are not there, as in some versions."""
+
+    def __init__(self, folder):
+        self.plain = Reconstruction(folder, poses="qvec")
+        self.ids = sorted(self.plain.images)
+        self.poses = {i: (list(image.qvec), image.tvec) for i, image in self.plain.images.items()}
+        self.pairs = list(zip(self.ids[::2], self.ids[1::2]))
+        self.right_from_left = {pair: compose(self.poses[pair[1]], inverse(self.poses[pair[0]])) for pair in self.pairs}
+
+    def reconstruction(self):
+        def transform(pose):
+            return types.SimpleNamespace(rotation=Rotation(pose[0], True), translation=np.array(pose[1]))
+
+        camera = next(iter(self.plain.cameras.values()))
+        cameras = {i: types.SimpleNamespace(**vars(camera), sensor_id=types.SimpleNamespace(type=0, id=i))
+                   for i in self.ids}
+        images, rigs, frames = {}, {}, {}
+        for left, right in self.pairs:
+            for i in (left, right):
+                images[i] = types.SimpleNamespace(
+                    name=self.plain.images[i].name, camera_id=i, frame_id=left + 1000, has_pose=True,
+                    cam_from_world=lambda i=i: transform(self.poses[i]))
+            rigs[left + 500] = types.SimpleNamespace(
+                ref_sensor_id=cameras[left].sensor_id,
+                is_ref_sensor=lambda sensor, i=left: sensor.id == i,
+                sensor_from_rig=lambda sensor, pair=(left, right): transform(self.right_from_left[pair]))
+            frames[left + 1000] = types.SimpleNamespace(rig_id=left + 500, rig_from_world=transform(self.poses[left]))
+        return types.SimpleNamespace(cameras=cameras, images=images, rigs=rigs, frames=frames)
+
+    def write(self, folder):
+        folder.mkdir()
+        camera = next(iter(self.plain.cameras.values()))
+        model = next(number for number, (name, _) in MODELS.items() if name == camera.model.name)
+        count = len(self.ids)
+        (folder / "cameras.bin").write_bytes(struct.pack("<Q", count) + b"".join(
+            struct.pack(f"<iiQQ{len(camera.params)}d", i, model, camera.width, camera.height, *camera.params)
+            for i in self.ids))
+        (folder / "images.bin").write_bytes(struct.pack("<Q", count) + b"".join(
+            struct.pack("<I7dI", i, *self.poses[i][0], *self.poses[i][1], i) + self.plain.images[i].name.encode() +
+            struct.pack("<xQ", 0) for i in self.ids))
+        (folder / "points3D.bin").write_bytes(struct.pack("<Q", 0))
+        (folder / "rigs.bin").write_bytes(struct.pack("<Q", len(self.pairs)) + b"".join(
+            struct.pack("<IIiIiIB7d", pair[0] + 500, 2, 0, pair[0], 0, pair[1], 1, *pose[0], *pose[1])
+            for pair, pose in self.right_from_left.items()))
+        (folder / "frames.bin").write_bytes(struct.pack("<Q", len(self.pairs)) + b"".join(
+            struct.pack("<II7dIiIQiIQ", left + 1000, left + 500, *self.poses[left][0], *self.poses[left][1], 2,
+                        0, left, left, 0, right, right) for left, right in self.pairs))
+
+
 def links_of(drawing):
     with tempfile.TemporaryDirectory() as folder:
         drawing.save(Path(folder, "drawing.obj"))
@@ -115,6 +179,21 @@ class Memory(unittest.TestCase):
                         np.testing.assert_array_equal(one.K, other.K)
                         np.testing.assert_allclose(one.R, other.R, rtol=0, atol=1e-15)
                         np.testing.assert_array_equal(one.t, other.t)
+
+    def test_rigs(self):
+        mounted = MountedInPairs(scenes.DAY / "sparse")
+        options = {**self.options, "refine_cameras": "1"}
+        with tempfile.TemporaryDirectory() as folder:
+            mounted.write(Path(folder, "sparse"))
+            of_files = limn.open(folder, image_path=scenes.DAY / "images", **options)
+            drawing = links_of(limn.draw(of_files))
+        reconstruction = mounted.reconstruction()
+        scene = limn.Scene.from_reconstruction(reconstruction, scenes.DAY / "images", **options)
+        self.assertEqual(scene.warnings, of_files.warnings)
+        self.assertEqual(links_of(limn.draw(scene)), drawing)
+        reconstruction.rigs = {}
+        scene = limn.Scene.from_reconstruction(reconstruction, scenes.DAY / "images", **options)
+        self.assertNotEqual(links_of(limn.draw(scene)), drawing, "images of a frame are not refined together")
 
     def test_panoramas(self):
         width, height = 512, 256

@@ -9,7 +9,7 @@
 
 namespace limn::testing {
 
-// The versions of COLMAP whose databases have different priors.
+// The versions of COLMAP whose databases have different priors (4.2 has those of 4.1).
 enum class DatabaseVersion { k3_8, k3_10, k3_12, k4_1 };
 
 constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
