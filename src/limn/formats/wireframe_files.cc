@@ -39,26 +39,6 @@ Wireframe ToWireframe(const JsonValue& value) {
   return wireframe;
 }
 
-std::optional<Wireframe> ReadJsonWireframe(const std::string& path) {
-  const std::string text = ReadWholeFile(path, kMaxDrawingBytes);
-  if (text.find(std::string("\"") + kWireframeVertices + '"') == std::string::npos) {
-    return std::nullopt;
-  }
-  try {
-    const auto json = ParseJson(path, text);
-    const JsonValue root(json);
-    if (!json.is_array()) return ToWireframe(root);
-    const std::vector<JsonValue> entries = root.Items();
-    if (entries.size() != 1) {
-      root.Fail("a list of " + std::to_string(entries.size()) +
-                " wireframes: take out the one of this scene");
-    }
-    return ToWireframe(entries.front());
-  } catch (const std::exception&) {
-    RethrowJsonError(path);
-  }
-}
-
 }  // namespace
 
 void WriteWireframeObj(const Wireframe& wireframe, const ObjOptions& options,
@@ -91,6 +71,26 @@ void WriteWireframeJson(const Wireframe& wireframe, const WireframeStamp& stamp,
     separator = ",\n";
   }
   out << "]}\n";
+}
+
+std::optional<Wireframe> ReadJsonWireframe(const std::string& path) {
+  const std::string text = ReadWholeFile(path, kMaxDrawingBytes);
+  if (text.find(std::string("\"") + kWireframeVertices + '"') == std::string::npos) {
+    return std::nullopt;
+  }
+  try {
+    const auto json = ParseJson(path, text);
+    const JsonValue root(json);
+    if (!json.is_array()) return ToWireframe(root);
+    const std::vector<JsonValue> entries = root.Items();
+    if (entries.size() != 1) {
+      root.Fail("a list of " + std::to_string(entries.size()) +
+                " wireframes: take out the one of this scene");
+    }
+    return ToWireframe(entries.front());
+  } catch (const std::exception&) {
+    RethrowJsonError(path);
+  }
 }
 
 std::optional<Wireframe> ReadWireframe(const std::string& path) {

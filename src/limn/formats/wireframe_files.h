@@ -35,4 +35,7 @@ void WriteWireframeJson(const Wireframe& wireframe, const WireframeStamp& stamp,
 // IoError.
 std::optional<Wireframe> ReadWireframe(const std::string& path);
 
+// The same of a JSON file, whatever its extension.
+std::optional<Wireframe> ReadJsonWireframe(const std::string& path);
+
 }  // namespace limn
