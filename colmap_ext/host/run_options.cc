@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "colmap_ext/options/option_group.h"
 #include "limn/pipeline/pipeline_options.h"
 #include "limn/pipeline/shard.h"
 #include "limn/util/errors.h"
@@ -58,23 +59,6 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
                     BasicOption("processor cores to use, -1 = all"));
   parser->AddOption("log_level", &options->log_level,
                     "what is printed: 1 = a line per stage, 2 = what it kept and dropped, too");
-}
-
-template <typename Options>
-void AddGroup(const std::string& group, Options* options, OptionParser* parser) {
-  Options::VisitFields(*options, [&](const std::string& name, auto& field,
-                                     const OptionValues& values, const OptionHelp& help) {
-    using Field = std::remove_cvref_t<decltype(field)>;
-    if constexpr (std::is_enum_v<Field>) {
-      std::vector<std::pair<std::string, Field>> words;
-      for (const char* word : values.words) {
-        words.push_back({word, static_cast<Field>(words.size())});
-      }
-      parser->AddOption(group + "." + name, &field, words, help);
-    } else {
-      parser->AddOption(group + "." + name, &field, help);
-    }
-  });
 }
 
 void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* parser) {

@@ -320,7 +320,10 @@ std::string EvaluateAsJson(std::shared_ptr<const SceneDrawing> drawing, const Op
   evaluator.AddOptions(&parser);
   const CommandLine line("evaluate", options);
   parser.Parse(line.argc(), line.argv());
-  if (drawing) evaluator.input_path = kDrawingInMemory;
+  if (drawing) {
+    evaluator.input_path = kDrawingInMemory;
+    evaluator.alignment = drawing->metadata.alignment;
+  }
   if (drawing && drawing->scene) {
     const Scene& scene = drawing->scene->scene;
     evaluator.views = InImagePixels(Moved(drawing->views, scene.origin()));

@@ -283,6 +283,43 @@ void CheckInputs(const EvaluatorOptions& options) {
   }
 }
 
+// Nothing is given that wireframes are not judged by.
+void CheckHssInputs(const EvaluatorOptions& options) {
+  const auto refuse = [](const std::string& name) {
+    throw OptionError(name + ": only by protocol = curves");
+  };
+  const TruthInput& truth = options.truth;
+  for (const auto& [name, path] : {std::pair("junctions_path", truth.junctions_path),
+                                   {"dont_care_path", truth.dont_care_path},
+                                   {"truth_mesh_path", options.truth_mesh_path},
+                                   {"mesh_path", options.mesh_path},
+                                   {"true_kinds_path", options.true_kinds_path},
+                                   {"rods_path", options.rods_path},
+                                   {"true_model_path", options.true_model_path}}) {
+    if (!path.empty()) refuse(name);
+  }
+  if (truth.unit != TruthInput::Unit::kWorld) refuse("unit = footprint");
+  if (!truth.evaluation.taus.empty()) {
+    throw OptionError(
+        "taus: only by protocol = curves; hss has Hss.corner_distance and Hss.edge_radius");
+  }
+  if (!truth.IsGiven()) throw OptionError("--truth_path must be given");
+}
+
+EvaluationReport JudgeHss(const DrawingGraph* drawing, const EvaluatorOptions& options,
+                          Console* console) {
+  HssFiles files;
+  files.input_path = options.input_path;
+  files.truth_path = options.truth.truth_path;
+  files.truth_edges_path = options.truth.truth_edges_path;
+  files.selection = options.Selection();
+  files.box = options.box;
+  files.alignment = options.alignment;
+  EvaluationReport report;
+  report.hss = JudgeWireframe(drawing, files, options.hss, console);
+  return report;
+}
+
 // A drawing in memory, or the input file if that is null.
 Judged ReadJudged(const DrawingGraph* drawing, const EvaluatorOptions& options) {
   Judged judged;
@@ -317,6 +354,10 @@ void EvaluatorOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("input_path", &input_path,
                     BasicOption("curves or points to judge, instead of the newest drawing of the "
                                 "workspace"));
+  parser->AddOption("protocol", &protocol, {{"curves", Protocol::kCurves}, {"hss", Protocol::kHss}},
+                    BasicOption("how: curves = by length, at each of taus; hss = as wireframes in "
+                                "meters, by corner F1, edge IoU and their mean (S23DR challenge)"));
+  hss.AddOptions(parser);
   truth.AddOptions(/*are_basic=*/true, parser);
   parser->AddOption("truth_mesh_path", &truth_mesh_path,
                     BasicOption("true surface, .ply or .obj: judge the faces of the drawing; needs "
@@ -326,8 +367,8 @@ void EvaluatorOptions::AddOptions(OptionParser* parser) {
   AddFaceOptions(&faces, parser);
   selection.AddOptions(parser);
   parser->AddOption("true_kinds_path", &true_kinds_path,
-                    BasicOption("true curves with their kinds, .json: also compare the kinds of "
-                                "the links of a drawing.json"));
+                    "true curves with their kinds, .json: also compare the kinds of the links of a "
+                    "drawing.json");
   parser->AddOption("rods_path", &rods_path,
                     "true center lines of rods, with a vertex property radius if they "
                     "are .ply and it is known: judge rods by these, and neither rods "
@@ -353,13 +394,15 @@ void EvaluatorOptions::AddOptions(OptionParser* parser) {
 }
 
 void EvaluatorOptions::Check() const {
-  if (truth.IsGiven()) truth.Check();
+  if (truth.IsGiven() && protocol == Protocol::kCurves) truth.Check();
+  hss.Check();
   CheckGroup("Faces", faces);
   Selection();          // throws
   BoxFromNumbers(box);  // throws
   LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
   if (!layout.workspace_path.empty()) layout.Check();
   CheckInputs(*this);
+  if (protocol == Protocol::kHss) CheckHssInputs(*this);
 }
 
 LinkSelection EvaluatorOptions::Selection() const {
@@ -375,7 +418,9 @@ EvaluationReport EvaluateAndWrite(const DrawingGraph* drawing, EvaluatorOptions 
     console->Say("drawing: " + options.input_path);
   }
   CheckOutputs(options);
-  EvaluationReport report = Judge(ReadJudged(drawing, options), options, console);
+  const EvaluationReport report = options.protocol == Protocol::kHss
+                                      ? JudgeHss(drawing, options, console)
+                                      : Judge(ReadJudged(drawing, options), options, console);
   ThrowIfCancelled(console->context());
   WriteReportFiles(report, options);
   return report;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "colmap_ext/host/console.h"
+#include "colmap_ext/verbs/evaluate_hss.h"
 #include "colmap_ext/verbs/selection_options.h"
 #include "colmap_ext/verbs/truth_input.h"
 #include "colmap_ext/workspace/layout.h"
@@ -14,8 +15,16 @@
 
 namespace limn::colmap_ext {
 
+// How a drawing is compared with the truth.
+enum class Protocol {
+  kCurves,  // by length (evaluate_curves.h)
+  kHss,     // as wireframes (evaluation/hss.h)
+};
+
 // The options of drawing_evaluator.
 struct EvaluatorOptions {
+  Protocol protocol = Protocol::kCurves;
+  HssInput hss;
   // Empty: the newest drawing of the workspace.
   std::string input_path;
   TruthInput truth;
@@ -39,6 +48,8 @@ struct EvaluatorOptions {
   int num_threads = -1;
   // Instead of a workspace, in the coordinates of its model. Not a user option.
   std::optional<std::vector<View>> views;
+  // Of a drawing in memory, if it has one. Not a user option.
+  std::optional<Alignment> alignment;
 
   void AddOptions(OptionParser* parser);
   // Throws OptionError.
@@ -54,7 +65,8 @@ struct EvaluatorOptions {
 // of the workspace, and writes the report to the requested files. With a workspace or views also
 // measures saw-teeth and, of a drawing, the normalized errors; with true kinds compares those of
 // the links; with true rods scores rods; with a true surface scores faces. With a true model, all
-// of this in its frame. Throws IoError, also if an output must not be replaced, and InputError.
+// of this in its frame. By protocol kHss only compares wireframes. Throws IoError, also if an
+// output must not be replaced, and InputError.
 EvaluationReport EvaluateAndWrite(const DrawingGraph* drawing, EvaluatorOptions options,
                                   Console* console);
 

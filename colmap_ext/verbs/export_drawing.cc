@@ -7,6 +7,7 @@
 
 #include "colmap_ext/host/plugin.h"
 #include "colmap_ext/import/new_model_folder.h"
+#include "colmap_ext/options/option_group.h"
 #include "colmap_ext/verbs/curves_in_model.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
@@ -15,6 +16,8 @@
 #include "limn/alignment/drawing_span.h"
 #include "limn/formats/ply_points_reader.h"
 #include "limn/formats/svg/svg_drawing_writer.h"
+#include "limn/model/curve_set.h"
+#include "limn/pipeline/pipeline_options.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
 #include "limn/util/printable.h"
@@ -247,6 +250,14 @@ size_t ExportModel(DrawingFile drawing, const ExporterOptions& options, Console*
   return write(std::move(drawing), std::move(model), set.views, options, console);
 }
 
+// Says what a wireframe's tolerance is that was not given.
+void SetTolerance(const DrawingGraph& graph, WireframeOptions* wireframe, Console* console) {
+  if (wireframe->tolerance > 0) return;
+  wireframe->tolerance = DefaultWireframeTolerance(ToCurveSet(graph).polylines);
+  console->Say("tolerance: " + ShortNumber(wireframe->tolerance) +
+               ", a hundredth of the size of the scene (--Wireframe.tolerance)");
+}
+
 size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* console) {
   WarnOfUnknownCurves(drawing.graph, options.selection.detail, console);
   if (IsModel(FormatName(options))) return ExportModel(std::move(drawing), options, console);
@@ -288,6 +299,7 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
   }
   ThrowIfCancelled(console->context());
   if (FormatName(options) == "step") format.write_step = LoadStepWriter();
+  if (FormatName(options) == "wireframe") SetTolerance(graph, &format.wireframe, console);
   if (FormatName(options) == "step" && frame.unit == LengthUnit::kNone) {
     console->Say(
         "WARNING: the unit of the coordinates is not known (--unit, --aligned 1): one is a "
@@ -357,7 +369,9 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("overwrite", &overwrite, BasicOption(kOverwriteHelp));
   parser->AddOption(
       "output_type", &format.format, formats,
-      BasicOption("its format; auto = by its extension; faces = only these, as .ply"));
+      BasicOption("its format; auto = by its extension; faces = only these, as .ply; wireframe = "
+                  "corners and straight edges, as .obj or .json"));
+  AddGroup("Wireframe", &format.wireframe, parser);
   parser->AddOption("scale", &scale, BasicOption("factor on all coordinates"));
   parser->AddOption("up_axis", &up_axis,
                     {{"x", SignedAxis::kX},
@@ -395,6 +409,7 @@ void ExporterOptions::Check() const {
   if (output_path.empty()) throw OptionError("--output_path must be given");
   if (!workspace.workspace_path.empty()) workspace.Check();
   selection.Selection();  // throws
+  CheckGroup("Wireframe", format.wireframe);
   LIMN_CHECK_RANGE(scale, >= 1e-12, <= 1e12);
   if (IsAligned() && up_axis != SignedAxis::kZ) {
     throw OptionError("up_axis: z is up in an aligned drawing");

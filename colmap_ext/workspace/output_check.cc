@@ -44,7 +44,11 @@ constexpr Mark kMarks[] = {
      "<key id=\"link\" for=\"edge\" attr.name=\"link\""},
     {"<!doctype html>", "<title>Limn</title>"},
     {"tau,precision,recall,"},  // of drawing_evaluator
+    {"corner_f1,edge_iou,hss,"},
     {"{\n  \"unit\": ", "\"reconstructed_length\": "},
+    {"{\n  \"unit\": ", "\"corner_f1\": "},
+    {"# wireframe by limn\n"},  // .obj
+    {"{\"format\": \"limn-wireframe\""},
     {"# Curve tracks: links of drawing.json "},
     {"# EDGE_MAP v3.0\n\n# Format :  ", " by limn\n"},
     {".CEM v2.0\n# Curve fragments by limn\n"},

@@ -230,6 +230,9 @@ def curves():
     put("points_txt", "points", "# truth\n0 0 0\n1.5 -2e-3 3 255 0 0\n")
     put("points_txt", "gzip", zlib.compress(b"0 0 0\n1 2 3\n", wbits=31))
     put("edges_txt", "edges", "1 2\n2 3\n4 5\n")
+    put("wireframe_json", "roof", '{"order_id": "a", "wf_vertices": [[0, 0, 3], [4, 0, 3], [2, 1, 5.5]],\n'
+        '"wf_edges": [[0, 1], [1, 2], [2, 0]], "wf_classifications": [1, 2, 2]}')
+    put("wireframe_json", "list", '[{"wf_vertices": [[0, 0, 0], [0, 0, 0]], "wf_edges": [[0, 1], [1, 1]]}]')
     put("junctions_json", "two", '{"junctions": [{"position": [0, 1, 2], "degree": 3},\n'
         '{"position": [0.5, 1, 2], "degree": 1, "kind": "end"}]}\n')
     ref = '{"id": %d, "closed": false, "points": [[0, 0, 0], [1, 0, 0], [2, 0.5, 0]]}'

@@ -4,5 +4,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const limn::fuzz::MemoryFile file(limn::fuzz::Text(data, size));
-  return limn::fuzz::ExpectReadOrRefused([&] { limn::ReadObjCurves(file.path()); });
+  return limn::fuzz::ExpectReadOrRefused([&] {
+    limn::ReadObjCurves(file.path());
+    limn::ReadObjWireframe(file.path());
+  });
 }

@@ -201,13 +201,14 @@ def _drawing_or_path(drawing: Union[Path, Drawing]) -> tuple[Optional[Drawing], 
     return (drawing, None) if isinstance(drawing, Drawing) else (None, drawing)
 
 
-def evaluate(drawing: Union[Path, Drawing], truth_path: Path, taus: Any, *, progress: Progress = None,
+def evaluate(drawing: Union[Path, Drawing], truth_path: Path, taus: Any = None, *, progress: Progress = None,
              **options: Any) -> dict[str, Any]:
     """Precision, recall and more against true curves or points, as of drawing_evaluator.
 
     `drawing` may be any file of curves. `taus` are distances in the model's unit, or in footprints (the size of a
     pixel there) with unit="footprint", which needs a scene or workspace_path. Returns the content of --output_json:
-    "rows" has a dictionary per tau with "precision", "recall", "f"; shares are 0 to 1, None where undefined. Writes
+    "rows" has a dictionary per tau with "precision", "recall", "f"; shares are 0 to 1, None where undefined. With
+    protocol="hss", and no taus, "hss" has a dictionary with "corner_f1", "edge_iou" and "hss" of wireframes. Writes
     nothing but what output_json and output_csv name.
     """
     core, path = _drawing_or_path(drawing)

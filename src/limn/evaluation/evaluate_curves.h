@@ -8,6 +8,7 @@
 #include "limn/evaluation/evaluation_options.h"
 #include "limn/evaluation/face_scores.h"
 #include "limn/evaluation/feature_scores.h"
+#include "limn/evaluation/hss.h"
 #include "limn/evaluation/kind_confusion.h"
 #include "limn/evaluation/normalized_errors.h"
 #include "limn/evaluation/reliability.h"
@@ -76,6 +77,8 @@ struct EvaluationReport {
   std::optional<CameraAccuracy> cameras;
   // Filled in by callers that have true surfaces.
   std::optional<FaceScores> faces;
+  // Filled in by callers that have wireframes; then nothing else is compared.
+  std::optional<HssScores> hss;
 };
 
 // Compares curves or points with ground truth. Both sets are cut into cells of at most tau/4 along

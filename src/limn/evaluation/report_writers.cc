@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/evaluation/feature_writers.h"
+#include "limn/evaluation/hss_writers.h"
 #include "limn/evaluation/report_cells.h"
 
 namespace limn {
@@ -266,6 +267,10 @@ void PrintCurves(const EvaluationReport& report, std::ostream& out) {
 }  // namespace
 
 void PrintReport(const EvaluationReport& report, std::ostream& out) {
+  if (report.hss) {
+    PrintHss(*report.hss, out);
+    return;
+  }
   const bool of_faces_only = report.faces && report.rows.empty();
   if (!of_faces_only) PrintCurves(report, out);
   if (report.faces) PrintFaces(*report.faces, out);
@@ -275,6 +280,7 @@ void PrintReport(const EvaluationReport& report, std::ostream& out) {
 void WriteReportCsv(const EvaluationReport& report, std::ostream& out) {
   std::ostringstream text;
   text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  if (report.hss) WriteHssCsv(*report.hss, text);
   if (report.rows.empty() && report.faces) WriteFacesCsv(*report.faces, text);
   const SawTeeth teeth = report.saw_teeth.value_or(SawTeeth());
   bool first = true;
@@ -326,6 +332,7 @@ void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
   json["kinds"] = report.kinds ? KindsAsJson(*report.kinds) : Json(nullptr);
   json["cameras"] = report.cameras ? CamerasAsJson(*report.cameras) : Json(nullptr);
   json["faces"] = report.faces ? FacesAsJson(*report.faces) : Json(nullptr);
+  json["hss"] = report.hss ? HssAsJson(*report.hss) : Json(nullptr);
   out << json.dump(2) << '\n';
 }
 

@@ -8,14 +8,15 @@
 namespace limn {
 
 // Tables for the screen: one row per tau, then the counts of the reconstruction; a table of faces
-// and a line about cameras where these were compared. Absent shares are "-".
+// and a line about cameras where these were compared. Absent shares are "-". If wireframes were
+// compared, only the table of these.
 void PrintReport(const EvaluationReport& report, std::ostream& out);
 
-// One header line and one row per tau of the curves, or of the faces if no curves were compared;
-// absent shares are empty cells.
+// One header line and one row per tau of the curves, or of the faces if no curves were compared, or
+// one row of wireframes; absent shares are empty cells.
 void WriteReportCsv(const EvaluationReport& report, std::ostream& out);
 
-// An object with `rows`, the counts, `cameras` and `faces`; what is absent is null.
+// An object with `rows`, the counts, `cameras`, `faces` and `hss`; what is absent is null.
 void WriteReportJson(const EvaluationReport& report, std::ostream& out);
 
 }  // namespace limn

@@ -10,16 +10,6 @@
 namespace limn {
 namespace {
 
-// A vertex ("v") or a normal ("vn").
-void PutVector(const char* keyword, const Eigen::Vector3d& vector, const ObjOptions& options,
-               std::ostream& out) {
-  const Eigen::Vector3d turned =
-      options.y_up ? Eigen::Vector3d(vector.x(), vector.z(), -vector.y()) : vector;
-  out << keyword;
-  for (int axis = 0; axis < 3; ++axis) out << ' ' << NumberText(turned[axis]);
-  out << '\n';
-}
-
 // Elements of lines, from the numbers of the vertices of a polyline.
 void PutLines(const std::vector<size_t>& vertices, const ObjOptions& options, std::ostream& out) {
   out << "l " << vertices.front();
@@ -37,8 +27,9 @@ void PutFaces(const std::vector<DrawingFace>& faces, size_t num_vertices, const 
   for (size_t id = 0; id < faces.size(); ++id) {
     const DrawingFace& face = faces[id];
     out << "o face_" << id << "\ng " << FaceSurfaceName(face.surface) << '\n';
-    for (const Eigen::Vector3d& vertex : face.vertices) PutVector("v", vertex, options, out);
-    for (const Eigen::Vector3d& normal : VertexNormals(face)) PutVector("vn", normal, options, out);
+    for (const Eigen::Vector3d& vertex : face.vertices) PutObjVector("v", vertex, options, out);
+    for (const Eigen::Vector3d& normal : VertexNormals(face))
+      PutObjVector("vn", normal, options, out);
     for (const auto& triangle : face.triangles) {
       out << 'f';
       for (const int corner : triangle) {
@@ -53,11 +44,21 @@ void PutFaces(const std::vector<DrawingFace>& faces, size_t num_vertices, const 
 
 }  // namespace
 
+void PutObjVector(const char* keyword, const Eigen::Vector3d& vector, const ObjOptions& options,
+                  std::ostream& out) {
+  const Eigen::Vector3d turned =
+      options.y_up ? Eigen::Vector3d(vector.x(), vector.z(), -vector.y()) : vector;
+  out << keyword;
+  for (int axis = 0; axis < 3; ++axis) out << ' ' << NumberText(turned[axis]);
+  out << '\n';
+}
+
 void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, LengthUnit unit,
                      std::ostream& out) {
   out << "# 3D drawing by limn: the first " << graph.nodes.size() << " vertices are its nodes\n";
   if (unit != LengthUnit::kNone) out << "# unit: " << UnitName(unit) << '\n';
-  for (const DrawingNode& node : graph.nodes) PutVector("v", node.position_in_world, options, out);
+  for (const DrawingNode& node : graph.nodes)
+    PutObjVector("v", node.position_in_world, options, out);
   const bool has_kinds = HasKinds(graph);
   size_t num_vertices = graph.nodes.size();
   for (size_t id = 0; id < graph.links.size(); ++id) {
@@ -67,7 +68,7 @@ void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, Lengt
     if (link.kind == LinkKind::kRod) out << "# rod_radius " << NumberText(link.rod_radius) << '\n';
     std::vector<size_t> vertices = {static_cast<size_t>(link.node0) + 1};
     for (size_t i = 1; i + 1 < link.points_in_world.size(); ++i) {
-      PutVector("v", link.points_in_world[i], options, out);
+      PutObjVector("v", link.points_in_world[i], options, out);
       vertices.push_back(++num_vertices);
     }
     vertices.push_back(static_cast<size_t>(link.node1) + 1);

@@ -2,6 +2,8 @@
 
 #include <iosfwd>
 
+#include <Eigen/Core>
+
 #include "limn/model/drawing_graph.h"
 #include "limn/util/length_unit.h"
 
@@ -13,6 +15,10 @@ struct ObjOptions {
   // Written with y up: (x, y, z) as (x, z, -y).
   bool y_up = false;
 };
+
+// A line with a vertex ("v") or a normal ("vn").
+void PutObjVector(const char* keyword, const Eigen::Vector3d& vector, const ObjOptions& options,
+                  std::ostream& out);
 
 // Writes a drawing as Wavefront OBJ: a comment "# unit: m" if the unit of its coordinates is known,
 // the nodes' vertices first, then per link an object "link_<id>" in the group of its kind of edge,

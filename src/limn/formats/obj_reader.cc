@@ -22,6 +22,12 @@ class ObjParser {
     return set;
   }
 
+  std::optional<Wireframe> Edges() {
+    ParseAll();
+    if (has_polylines_) return std::nullopt;
+    return Wireframe{std::move(soup_.vertices), std::move(soup_.edges)};
+  }
+
   FaceSoup Faces() {
     ParseAll();
     return {std::move(soup_.vertices), std::move(faces_)};
@@ -51,8 +57,9 @@ class ObjParser {
   void ParseLine() {
     has_elements_ = true;
     int previous = -1;
-    while (!scanner_->AtEndOfLine()) {
+    for (int count = 1; !scanner_->AtEndOfLine(); ++count) {
       const int index = VertexIndex();
+      has_polylines_ = has_polylines_ || count > 2;
       if (previous >= 0) {
         soup_.edges.emplace_back(previous, index);
         soup_.labels.push_back(label_);
@@ -95,6 +102,7 @@ class ObjParser {
   std::vector<Eigen::Vector3d> points_;
   int label_ = 0;
   bool has_elements_ = false;
+  bool has_polylines_ = false;  // of more than two vertices
 };
 
 }  // namespace
@@ -103,6 +111,12 @@ CurveSet ReadObjCurves(const std::string& path) {
   const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
   return ObjParser(&scanner, /*curves=*/true, /*faces=*/false).Curves();
+}
+
+std::optional<Wireframe> ReadObjWireframe(const std::string& path) {
+  const std::string text = ReadTextFile(path);
+  TextScanner scanner(path, text);
+  return ObjParser(&scanner, /*curves=*/true, /*faces=*/false).Edges();
 }
 
 FaceSoup ReadObjFaces(const std::string& path) {

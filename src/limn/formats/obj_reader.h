@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "limn/model/curve_set.h"
+#include "limn/model/wireframe.h"
 
 namespace limn {
 
@@ -13,6 +15,10 @@ namespace limn {
 // object or group (o, g) are joined by ChainEdges. If there is any l or p, unused vertices are
 // dropped; else all vertices are points. Throws IoError.
 CurveSet ReadObjCurves(const std::string& path);
+
+// The v and l statements as they are, if every line has two vertices, else nothing. Other
+// statements are ignored. Throws IoError.
+std::optional<Wireframe> ReadObjWireframe(const std::string& path);
 
 // The v and f statements: vertices, and per face the indices of its corners, at least three.
 struct FaceSoup {

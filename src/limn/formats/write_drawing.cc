@@ -11,13 +11,17 @@
 #include "limn/formats/ply_faces_writer.h"
 #include "limn/formats/ply_sketch_writer.h"
 #include "limn/formats/tracks_writer.h"
+#include "limn/formats/wireframe_files.h"
+#include "limn/model/curve_set.h"
 #include "limn/util/errors.h"
 #include "limn/util/lower_case.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {
 
 struct Job {
+  const std::string& path;
   const DrawingGraph& graph;
   const DrawingMetadata& metadata;
   const DrawingFormatOptions& options;
@@ -73,6 +77,29 @@ void WriteStep(const Job& job, std::ostream& out) {
   }
 }
 
+std::string ExtensionOf(const std::string& path) {
+  return LowerCase(std::filesystem::path(path).extension().string());
+}
+
+constexpr const char* kWireframeFormat = "wireframe";
+
+void WriteWireframe(const Job& job, std::ostream& out) {
+  const std::vector<Polyline3d> lines = ToCurveSet(job.graph).polylines;
+  WireframeOptions options = job.options.wireframe;
+  if (options.tolerance == 0) options.tolerance = DefaultWireframeTolerance(lines);
+  const Wireframe wireframe = ReduceToWireframe(lines, options);
+  if (wireframe.edges.empty() && !lines.empty()) {
+    job.left_out->push_back("the wireframe has no edges: all curves are within its tolerance of " +
+                            ShortNumber(options.tolerance));
+  }
+  const WireframeStamp stamp = {job.options.unit, options.tolerance};
+  if (ExtensionOf(job.path) == ".json") {
+    WriteWireframeJson(wireframe, stamp, out);
+  } else {
+    WriteWireframeObj(wireframe, job.options.obj, stamp, out);
+  }
+}
+
 // One line per format.
 const std::vector<Format>& Formats() {
   using Out = std::ostream;
@@ -84,6 +111,8 @@ const std::vector<Format>& Formats() {
       {"faces",
        {},
        [](const Job& job, Out& out) { WriteFacesPly(job.graph, job.options.unit, out); }},
+      // Only by its name: these files are drawings.
+      {kWireframeFormat, {}, WriteWireframe},
       {"obj",
        {".obj"},
        [](const Job& job, Out& out) {
@@ -122,6 +151,9 @@ std::string JoinedExtensions() {
 }
 
 const Format& FormatByName(const std::string& path, const std::string& name) {
+  if (name == kWireframeFormat && ExtensionOf(path) != ".obj" && ExtensionOf(path) != ".json") {
+    throw IoError(path, "wireframes are written as .obj or .json");
+  }
   for (const Format& format : Formats()) {
     if (format.name == name) return format;
   }
@@ -129,7 +161,7 @@ const Format& FormatByName(const std::string& path, const std::string& name) {
 }
 
 const Format& FormatByExtension(const std::string& path) {
-  const std::string extension = LowerCase(std::filesystem::path(path).extension().string());
+  const std::string extension = ExtensionOf(path);
   for (const Format& format : Formats()) {
     const auto& extensions = format.extensions;
     if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) {
@@ -169,7 +201,7 @@ std::vector<std::string> WriteDrawing(const OutputPath& path, const DrawingGraph
   }
   std::vector<std::string> left_out;
   WriteFileAtomically(path, [&](std::ostream& out) {
-    format.write({graph, metadata, options, &left_out}, out);
+    format.write({path.string(), graph, metadata, options, &left_out}, out);
   });
   return left_out;
 }

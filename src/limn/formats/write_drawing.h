@@ -14,6 +14,7 @@
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/link_selection.h"
+#include "limn/model/reduce_to_wireframe.h"
 #include "limn/model/view.h"
 #include "limn/util/length_unit.h"
 
@@ -40,21 +41,23 @@ struct DrawingFormatOptions {
   // &WriteDrawingStep; without it no STEP files are written.
   StepWriter write_step = nullptr;
   SvgPicture svg;
+  WireframeOptions wireframe;
   // Of the coordinates: formats that have a unit of their own are converted to it (STEP, GLB),
   // others tell it.
   LengthUnit unit = LengthUnit::kNone;
 };
 
-// The names of the formats for drawings: "ply", "obj", ..., and "faces", a .ply file of the faces
-// alone.
+// The names of the formats for drawings: "ply", "obj", ..., "faces", a .ply file of the faces
+// alone, and "wireframe", an .obj or .json file of corners and straight edges.
 std::vector<std::string> DrawingFormats();
 
 // The name of the format of a drawing written to this path. Throws IoError if there is none.
 std::string DrawingFormatOf(const std::string& path, const DrawingFormatOptions& options);
 
 // Writes a drawing atomically. The same graph gives the same bytes. Throws IoError, also for an
-// unknown extension or format, or InputError if Validate finds something wrong with the graph or
-// its alignment. Returns a sentence for each thing that the format cannot hold.
+// unknown extension or format or one that does not hold the other, or InputError if Validate finds
+// something wrong with the graph or its alignment. Returns a sentence for each thing that the
+// format cannot hold.
 std::vector<std::string> WriteDrawing(const OutputPath& path, const DrawingGraph& graph,
                                       const DrawingMetadata& metadata,
                                       const DrawingFormatOptions& options = {});

@@ -306,5 +306,36 @@ TEST(ReportWriters, CsvIsOfFacesWhereThereAreNoCurves) {
             "2.0,,0.75,,3,4,10,2,1.25,2.5,1\n");
 }
 
+TEST(ReportWriters, WireframesAreAllThatIsToldOfThem) {
+  EvaluationReport report;
+  report.hss = HssScores();
+  HssScores& scores = *report.hss;
+  scores.num_corners = 8;
+  scores.num_true_corners = 5;
+  scores.num_right_corners = 4;
+  scores.corner_precision = 0.5;
+  scores.corner_recall = 0.8;
+  scores.corner_f1 = 0.6154;
+  scores.edges = {2, 3, 1.25, 0.00005};
+  scores.edge_iou = 0.3333;
+  scores.hss = 0.4324;
+  std::ostringstream table, csv, json;
+  PrintReport(report, table);
+  EXPECT_THAT(table.str(),
+              HasSubstr("    8        50.0        80.0        61.5        33.3        43.2"));
+  EXPECT_THAT(table.str(), HasSubstr("corners right 4 of 8, true 5;"));
+  EXPECT_THAT(table.str(), HasSubstr("volume 2 m3, true 3, common 1.25 (IoU to 0.005 %)"));
+  EXPECT_THAT(table.str(), Not(HasSubstr("links")));
+  WriteReportCsv(report, csv);
+  EXPECT_THAT(csv.str(), ::testing::StartsWith("corner_f1,edge_iou,hss,"));
+  EXPECT_THAT(csv.str(), HasSubstr("\n0.6154,0.3333,0.4324,0.5,0.8,8,5,4,"));
+  EXPECT_EQ(std::ranges::count(csv.str(), '\n'), 2);
+  WriteReportJson(report, json);
+  EXPECT_EQ(nlohmann::json::parse(json.str()).at("hss").at("common_edge_volume"), 1.25);
+  std::ostringstream without;
+  WriteReportJson(SmallReport(), without);
+  EXPECT_TRUE(nlohmann::json::parse(without.str()).at("hss").is_null());
+}
+
 }  // namespace
 }  // namespace limn

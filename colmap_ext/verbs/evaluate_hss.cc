@@ -1,0 +1,133 @@
+#include "colmap_ext/verbs/evaluate_hss.h"
+
+#include <utility>
+
+#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/options/option_group.h"
+#include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/limap_model.h"
+#include "limn/files/whole_file.h"
+#include "limn/formats/read_curves.h"
+#include "limn/formats/wireframe_files.h"
+#include "limn/pipeline/pipeline_options.h"
+#include "limn/util/errors.h"
+#include "limn/util/number_text.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+// A wireframe as a file has it, or else curves.
+struct WireframeSource {
+  std::optional<Wireframe> wireframe;
+  std::vector<Polyline3d> curves;
+  std::optional<Alignment> alignment;
+
+  bool IsEmpty() const {
+    return wireframe ? wireframe->vertices.empty() && wireframe->edges.empty() : curves.empty();
+  }
+};
+
+std::vector<Polyline3d> SelectedCurves(DrawingGraph graph, const HssFiles& files) {
+  graph.faces.clear();  // they do not depend on which links are chosen
+  return ToCurveSet(Selected(std::move(graph), files.selection)).polylines;
+}
+
+std::vector<Polyline3d> CurvesOnly(CurveSet set, const std::string& path) {
+  if (set.polylines.empty() && !set.points.empty()) {
+    throw IoError(path, "has only points; a wireframe has edges (protocol = hss)");
+  }
+  return std::move(set.polylines);
+}
+
+WireframeSource ReadJudgedSource(const DrawingGraph* drawing, const HssFiles& files) {
+  if (drawing) return {std::nullopt, SelectedCurves(*drawing, files), files.alignment};
+  if (auto wireframe = ReadWireframe(files.input_path)) return {std::move(wireframe), {}, {}};
+  const bool is_drawing =
+      FileExtension(files.input_path) == ".json" || HoldsLimapDrawing(files.input_path);
+  if (!is_drawing) {
+    return {std::nullopt, CurvesOnly(ReadCurves(files.input_path), files.input_path), {}};
+  }
+  DrawingFile file = ReadDrawing(files.input_path);
+  return {std::nullopt, SelectedCurves(std::move(file.graph), files), file.metadata.alignment};
+}
+
+WireframeSource ReadTrueSource(const HssFiles& files) {
+  WireframeSource source;
+  if (files.truth_edges_path.empty()) source.wireframe = ReadWireframe(files.truth_path);
+  if (!source.wireframe) {
+    source.curves =
+        CurvesOnly(ReadCurves(files.truth_path, files.truth_edges_path), files.truth_path);
+  }
+  if (source.IsEmpty()) throw IoError(files.truth_path, "no corners and no edges (truth_path)");
+  return source;
+}
+
+double MetersPerUnit(const WireframeSource& judged, const WireframeSource& truth,
+                     const HssInput& input, Console* console) {
+  if (input.scale > 0) return input.scale;
+  if (judged.alignment && judged.alignment->IsMetric()) {
+    const double scale = judged.alignment->world_from_model.scale;
+    console->Say("scale: " + ShortNumber(scale) +
+                 " m per unit, as the drawing is aligned (--scale sets another)");
+    return scale;
+  }
+  if (!judged.wireframe || !truth.wireframe) {
+    console->Say(
+        "WARNING: the scale is not known: one unit of the coordinates is taken as a meter "
+        "(--scale, drawing_aligner)");
+  }
+  return 1;
+}
+
+Wireframe ToMeters(WireframeSource source, double scale, const WireframeOptions& options,
+                   const std::string& what, Console* console) {
+  if (source.wireframe) {
+    for (Eigen::Vector3d& vertex : source.wireframe->vertices) vertex *= scale;
+    return *std::move(source.wireframe);
+  }
+  for (Polyline3d& line : source.curves) {
+    for (Eigen::Vector3d& point : line) point *= scale;
+  }
+  WireframeOptions of_source = options;
+  if (of_source.tolerance == 0) of_source.tolerance = DefaultWireframeTolerance(source.curves);
+  Wireframe wireframe = ReduceToWireframe(source.curves, of_source);
+  console->Say(what + ": " + std::to_string(source.curves.size()) + " curves reduced to " +
+               std::to_string(wireframe.vertices.size()) + " corners and " +
+               std::to_string(wireframe.edges.size()) + " edges, tolerance " +
+               ShortNumber(of_source.tolerance) + " m (--Wireframe.tolerance)");
+  return wireframe;
+}
+
+}  // namespace
+
+void HssInput::AddOptions(OptionParser* parser) {
+  parser->AddOption("scale", &scale,
+                    "hss: meters per unit of the coordinates; 0 = as the drawing is aligned, else "
+                    "1");
+  AddGroup("Hss", &hss, parser);
+  AddGroup("Wireframe", &wireframe, parser);
+}
+
+void HssInput::Check() const {
+  CheckOptionValue("scale", scale, ZeroOr(Between(1e-12, 1e12)));
+  CheckGroup("Hss", hss);
+  CheckGroup("Wireframe", wireframe);
+}
+
+HssScores JudgeWireframe(const DrawingGraph* drawing, const HssFiles& files, const HssInput& input,
+                         Console* console) {
+  WireframeSource judged = ReadJudgedSource(drawing, files);
+  WireframeSource truth = ReadTrueSource(files);
+  const double scale = MetersPerUnit(judged, truth, input, console);
+  HssOptions options = input.hss;
+  if (const auto box = BoxFromNumbers(files.box)) {
+    options.region = Eigen::AlignedBox3d(scale * box->min(), scale * box->max());
+  }
+  const Wireframe wireframe =
+      ToMeters(std::move(judged), scale, input.wireframe, "wireframe", console);
+  const Wireframe true_wireframe =
+      ToMeters(std::move(truth), scale, input.wireframe, "truth", console);
+  return ScoreHss(wireframe, true_wireframe, options, console->context());
+}
+
+}  // namespace limn::colmap_ext

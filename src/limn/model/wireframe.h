@@ -1,0 +1,17 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace limn {
+
+// Corners, and straight edges between them.
+struct Wireframe {
+  std::vector<Eigen::Vector3d> vertices;
+  // Indices of two vertices each.
+  std::vector<std::pair<int, int>> edges;
+};
+
+}  // namespace limn

@@ -1,0 +1,8 @@
+#include "fuzz/fuzz_file.h"
+#include "fuzz/fuzz_target.h"
+#include "limn/formats/wireframe_files.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const limn::fuzz::MemoryFile file(limn::fuzz::Text(data, size));
+  return limn::fuzz::ExpectReadOrRefused([&] { limn::ReadJsonWireframe(file.path()); });
+}
