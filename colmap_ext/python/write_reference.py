@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """write_reference.py <folder of the package limn> <page>: writes the reference of the package, from its docstrings:
 
-    colmap_ext/python/write_reference.py build/release/python/limn colmap_ext/docs/python-reference.md
+    python3 colmap_ext/python/write_reference.py build/release/python/limn colmap_ext/docs/python-reference.md
 """
 
 import ast
