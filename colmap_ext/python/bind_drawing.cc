@@ -582,7 +582,7 @@ void BindDrawing(py::module_* module) {
           [](const SceneDrawing& drawing) -> py::dict {
             return py::module_::import("json").attr("loads")(drawing.metadata.options_json);
           },
-          "The options it was made with, as in drawing.json: a dictionary per group.")
+          "The options it was made with, as in drawing.json: those of a group in a dictionary.")
       .def_property_readonly(
           "warnings", [](const SceneDrawing& drawing) { return WarningsOf(drawing.made.log); },
           "Warnings: what to check before trusting it, as lines of text.")
@@ -607,10 +607,9 @@ void BindDrawing(py::module_* module) {
           },
           py::arg("path"),
           "Writes the drawing in the format of the extension (.json, .ply, .obj, .dxf, .step, "
-          ".glb, .graphml): as .json all of it, without loss; in other formats without tentative "
-          "links "
-          "and outlines of smooth bodies. limn.export() has options. Raises limn.OptionError for "
-          "other extensions, and limn.IoError if the file cannot be written.")
+          ".glb, .graphml, .svg): as .json all of it, without loss; in other formats without "
+          "tentative links and outlines of smooth bodies. limn.export() has options. Raises "
+          "limn.IoError for other extensions, and if the file cannot be written.")
       .def(
           "to_networkx", [](const py::object& self) { return Interop("to_networkx")(self); },
           "A networkx.MultiGraph: nodes with position and kind, edges with link, points, length, "

@@ -244,7 +244,7 @@ def read_drawing(path: Path, source: Union[None, Path, Scene] = None) -> Drawing
     """Reads a drawing.json. With the scene or the project that it was drawn from it has cameras and tracks.
 
     Of a drawing with refined cameras these are taken from refined/ beside it, if they are there. A scene with other
-    images raises InputError.
+    images raises IoError.
     """
     return _limn.read_drawing(path, None if source is None else _scene(source, {}, None)[0])
 
