@@ -287,7 +287,8 @@ void BindRoundBody(py::module_* module) {
 void BindPrimitive(py::module_* module) {
   py::class_<Primitive>(*module, "Primitive",
                         "The simplest curve that explains a link. What a kind of curve does not "
-                        "have is None. Lengths are in the model's unit.")
+                        "have is None. Points are in the model's coordinates, lengths in its "
+                        "unit.")
       .def_property_readonly(
           "type", [](const Primitive& p) { return std::string(ShapeName(p.Get().shape)); },
           "'line', 'arc', 'circle' or 'spline'.")
@@ -364,7 +365,8 @@ void BindLink(py::module_* module) {
           "'rod' (center line of a wire or bar), 'texture' (one of many short curves) or "
           "'unknown'.")
       .def_property_readonly(
-          "kind_confidence", [](const Link& link) { return link.Get().kind_confidence; }, "0 to 1.")
+          "kind_confidence", [](const Link& link) { return link.Get().kind_confidence; },
+          "How sure the kind is, 0 to 1; 0 if unknown.")
       .def_property_readonly(
           "rod_radius", [](const Link& link) { return link.Get().rod_radius; },
           "Half the thickness of a rod, in the model's unit; 0 for other kinds.")
@@ -377,10 +379,12 @@ void BindLink(py::module_* module) {
           "-1 if unknown.")
       .def_property_readonly(
           "tentative", [](const Link& link) { return link.Get().tentative; },
-          "Whether there is little evidence for it.")
+          "Whether there is little evidence for it; exports leave it out by default.")
       .def_property_readonly(
           "doubt", [](const Link& link) { return std::string(LinkDoubtName(link.Get().doubt)); },
-          "Why it is tentative; empty if unknown or not tentative.")
+          "Why it is tentative: 'few views', 'chance', 'seen through', 'explained by others', "
+          "'outline of a rod', 'depth not measured', 'still in the images' or 'short and "
+          "unlikely'; empty if unknown or not tentative.")
       .def_property_readonly(
           "residual_px", [](const Link& link) { return link.Get().residual_px; },
           "Median distance from the edges of the images, px.")
@@ -390,10 +394,13 @@ void BindLink(py::module_* module) {
       .def_property_readonly(
           "curve_px", [](const Link& link) { return link.Get().curve_px; },
           "Length of the curve that it is a part of, px of the images as used; 0 if unknown.")
-      .def_property_readonly("primitive", PrimitiveOf, "The simplest curve that explains it.")
+      .def_property_readonly(
+          "primitive", PrimitiveOf,
+          "The simplest curve that explains it; None in a drawing without primitives.")
       .def_property_readonly(
           "dense_class", DenseClassOf,
-          "After limn.fuse: 'surface', 'boundary', 'free' or 'unknown'; else None.")
+          "After limn.fuse(), by where the dense surface goes on: 'surface' (on both sides: paint "
+          "or a fold), 'boundary' (on one: a rim), 'free' (none there) or 'unknown'; else None.")
       .def_property_readonly("supporting_views", SupportingViews,
                              "Names of the images with edges along it.")
       .def_property_readonly(
@@ -401,8 +408,8 @@ void BindLink(py::module_* module) {
           "The link in its supporting images: name of the image to M x 2 "
           "polyline (x, y), px of the image as stored, as in tracks.txt but with "
           "the center of the top-left pixel at (0, 0). Rows of not-a-number "
-          "separate visible parts. Columns of a panorama run from -1/8 to 7/8 "
-          "of its width.")
+          "separate parts. Columns of a panorama run from -1/8 to 7/8 "
+          "of its width. Raises limn.InputError for a drawing that was read without its scene.")
       .def("__len__", [](const Link& link) { return link.Get().points_in_world.size(); })
       .def("__reduce__", [](const Link& link) { return ItemOf(link, "links"); })
       .def("__repr__", [](const Link& link) {
@@ -453,7 +460,7 @@ void BindNode(py::module_* module) {
           "3 position in the model's coordinates.")
       .def_property_readonly(
           "covariance", [](const Node& node) { return CopyOf(node.Get().covariance); },
-          "3 x 3 covariance of the position, in the model's unit; zero if unknown.")
+          "3 x 3 covariance of the position, in the square of the model's unit; zero if unknown.")
       .def_property_readonly(
           "kind", [](const Node& node) { return std::string(NodeKindName(node.Get().kind)); },
           "'end', 'junction' (3 or more links) or 'loop_anchor'.")
@@ -497,7 +504,8 @@ void BindFace(py::module_* module) {
           "T x 3 indices of vertices, counterclockwise seen from the visible side.")
       .def_property_readonly("normal", NormalOf,
                              "Plane: 3 unit vector towards the visible side; else None.")
-      .def_property_readonly("offset", OffsetOf, "Plane: normal . x on it; else None.")
+      .def_property_readonly("offset", OffsetOf,
+                             "Plane: normal . x of its points, in the model's unit; else None.")
       .def_property_readonly(
           "area", [](const Face& face) { return AreaOf(face.Get()); },
           "Area, in the square of the model's unit.")
@@ -506,7 +514,8 @@ void BindFace(py::module_* module) {
           "The border, then holes: lists of (link, from, to), an index of a point plus a fraction; "
           "link is None where no curve was found.")
       .def_property_readonly(
-          "confidence", [](const Face& face) { return face.Get().confidence; }, "0 to 1.")
+          "confidence", [](const Face& face) { return face.Get().confidence; },
+          "How sure it is, 0 to 1.")
       .def_property_readonly(
           "views", [](const Face& face) { return NamesOf(face.Get().views, *face.drawing); },
           "Names of the images that see it.")
@@ -573,19 +582,23 @@ void BindDrawing(py::module_* module) {
           [](const SceneDrawing& drawing) -> py::dict {
             return py::module_::import("json").attr("loads")(drawing.metadata.options_json);
           },
-          "The options it was made with.")
+          "The options it was made with, as in drawing.json: those of a group in a dictionary.")
       .def_property_readonly(
           "warnings", [](const SceneDrawing& drawing) { return WarningsOf(drawing.made.log); },
           "Warnings: what to check before trusting it, as lines of text.")
       .def_property_readonly(
           "stages", [](const SceneDrawing& drawing) { return StagesOf(drawing.made.log); },
-          "The stages that made it: counts in, kept and dropped, and seconds.")
+          "The stages that made it, in order: a dictionary each with the name (stage), seconds of "
+          "wall time, and counts by name (in, kept, dropped).")
       .def("selected", SelectedLinks, py::arg("kinds") = "default", py::arg("tentative") = false,
            py::arg("rods_as_outlines") = false, py::arg("detail") = "normal",
-           "The drawing with these links only; kinds as in drawing_exporter: names separated by "
-           "commas, 'all', or 'default' (all but outlines of smooth bodies and texture). Rods are "
-           "center lines, or their outlines. detail: 'coarse' for long curves only, 'normal', or "
-           "'all' for texture, too.")
+           "The drawing with some of its links only; their ids are counted anew.\n\n"
+           "- `kinds`: names of kinds, separated by commas; 'all'; or 'default', all but outlines "
+           "of smooth bodies and texture. Others raise limn.OptionError.\n"
+           "- `tentative`: with links of little evidence.\n"
+           "- `rods_as_outlines`: rods as their outlines instead of their center lines.\n"
+           "- `detail`: 'coarse', curves of 80 px and more without texture; 'normal', what `kinds` "
+           "says; 'all', texture, too.")
       .def(
           "save",
           [](const Owner& drawing, const std::filesystem::path& path) {
@@ -594,9 +607,9 @@ void BindDrawing(py::module_* module) {
           },
           py::arg("path"),
           "Writes the drawing in the format of the extension (.json, .ply, .obj, .dxf, .step, "
-          ".glb, "
-          ".graphml): as .json all of it, without loss; in other formats without tentative links "
-          "and outlines of smooth bodies. limn.export() has options.")
+          ".glb, .graphml, .svg): as .json all of it, without loss; in other formats without "
+          "tentative links and outlines of smooth bodies. limn.export() has options. Raises "
+          "limn.IoError for other extensions, and if the file cannot be written.")
       .def(
           "to_networkx", [](const py::object& self) { return Interop("to_networkx")(self); },
           "A networkx.MultiGraph: nodes with position and kind, edges with link, points, length, "

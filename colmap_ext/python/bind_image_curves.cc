@@ -77,7 +77,7 @@ void AddMapping(Class* bound, const Get& get) {
           "The scene they were found in.")
       .def_property_readonly(
           "stages", [](const Results& results) { return StagesOf(results.made.log); },
-          "What was found: counts in, kept and dropped, and seconds.");
+          "What was found, as in Drawing.stages.");
 }
 
 }  // namespace
@@ -93,8 +93,8 @@ void BindImageCurves(py::module_* module) {
       .def_property_readonly(
           "directions",
           [](const ImageEdges& e) { return Column<double>(e, &Edgel::tangent_rad, 0); },
-          "M directions along the edge, rad; the brighter side is on the left on screen. Of curves "
-          "in the virtual pinhole image.")
+          "M directions along the edge, rad, from x to y; the brighter side is on the left on "
+          "screen. Of curves (limn.link) in the virtual pinhole image of a camera with a lens.")
       .def_property_readonly(
           "strengths", [](const ImageEdges& e) { return Column<float>(e, &Edgel::strength, 0); },
           "M gradients, gray levels per px.")
@@ -109,13 +109,16 @@ void BindImageCurves(py::module_* module) {
       .def("__len__", [](const ImageEdges& e) { return e.map->edgels.size(); });
 
   py::class_<SceneEdges, std::shared_ptr<SceneEdges>> edges(
-      *module, "Edges", "The edges of all images, by name of the image.");
+      *module, "Edges",
+      "The edges of all images, by name of the image; other names raise KeyError. From "
+      "limn.extract_edges().");
   AddMapping<SceneEdges>(&edges, [](std::shared_ptr<const SceneEdges> all, size_t view) {
     const EdgeMap* map = &all->edge_maps[view];
     return ImageEdges{std::move(all), map};
   });
 
-  py::class_<ImageFragments>(*module, "ImageCurves", "The curves of an image.")
+  py::class_<ImageFragments>(*module, "ImageCurves",
+                             "The curves of an image; its length is their number.")
       .def_property_readonly(
           "edges",
           [](const ImageFragments& image) {
@@ -125,17 +128,22 @@ void BindImageCurves(py::module_* module) {
       .def_property_readonly("fragments", FragmentsOf,
                              "A list of int32 arrays: the indices of the edgels of each curve, in "
                              "order.")
-      .def_property_readonly("closed", ClosedOf, "Whether each curve returns to its first edgel.")
+      .def_property_readonly("closed", ClosedOf,
+                             "Per curve, whether it returns to its first edgel.")
       .def("__len__", [](const ImageFragments& image) { return image.curves->fragments.size(); });
 
   py::class_<SceneCurves, std::shared_ptr<SceneCurves>> curves(
-      *module, "Curves", "The curves of all images, by name of the image.");
+      *module, "Curves",
+      "The curves of all images, by name of the image; other names raise KeyError. From "
+      "limn.link().");
   AddMapping<SceneCurves>(&curves, [](std::shared_ptr<const SceneCurves> all, size_t view) {
     const ImageCurves* of_view = &(*all->curves)[view];
     return ImageFragments{std::move(all), of_view};
   });
 
-  py::class_<SketchCurve>(*module, "SketchCurve", "An unconnected curve in space: N points.")
+  py::class_<SketchCurve>(*module, "SketchCurve",
+                          "An unconnected curve in space: N points. Arrays are read-only, not "
+                          "copied, and keep the sketch.")
       .def_property_readonly(
           "points",
           [](const SketchCurve& c) { return PointsOver(c.Get().points_in_world, c.sketch); },
@@ -159,7 +167,8 @@ void BindImageCurves(py::module_* module) {
       .def("__len__", [](const SketchCurve& c) { return c.Get().size(); });
 
   py::class_<SceneSketch, std::shared_ptr<SceneSketch>>(
-      *module, "Sketch", "The curve sketch: a sequence of unconnected curves in space.")
+      *module, "Sketch",
+      "The curve sketch: a sequence of unconnected curves in space. From limn.sketch().")
       .def("__getitem__",
            [](std::shared_ptr<SceneSketch> sketch, py::ssize_t i) {
              const size_t index = IndexOf(i, sketch->in_model->curves.size());
@@ -181,7 +190,7 @@ void BindImageCurves(py::module_* module) {
           "The scene it was found in.")
       .def_property_readonly(
           "stages", [](const SceneSketch& sketch) { return StagesOf(sketch.made.log); },
-          "What was found: counts in, kept and dropped, and seconds.");
+          "What was found, as in Drawing.stages.");
 }
 
 }  // namespace limn::colmap_ext

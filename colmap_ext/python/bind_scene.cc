@@ -178,8 +178,8 @@ void BindScene(py::module_* module) {
 
   py::class_<OpenScene, std::shared_ptr<OpenScene>>(
       *module, "Scene",
-      "Photographs and cameras: what a drawing is made from. From limn.open(), "
-      "Scene.from_arrays() or Scene.from_reconstruction().")
+      "Photographs and cameras: what a drawing is made from; its length is the number of images. "
+      "From limn.open(), Scene.from_arrays() or Scene.from_reconstruction().")
       .def_property_readonly("names", NamesOf, "Names of the images, sorted.")
       .def_property_readonly(
           "cameras",
@@ -195,7 +195,8 @@ void BindScene(py::module_* module) {
           [](const OpenScene& scene) { return scene.scene.view_set().hints.points.size(); },
           "Number of 3D points of the sparse model that images see.")
       .def("image", ImageOf, py::arg("name"),
-           "The photograph as used (H x W or H x W x 3, RGB, float32, gray levels 0 to 255).")
+           "The photograph as used: H x W or H x W x 3 (RGB), a copy, gray levels 0 to 255. Raises "
+           "KeyError for other names, and limn.IoError if the file cannot be read.")
       .def("__reduce__", PickledScene)
       .def("__len__", [](const OpenScene& scene) { return scene.scene.views().size(); })
       .def("__repr__", [](const OpenScene& scene) {

@@ -47,7 +47,7 @@ Progress = Optional[Callable[[str, int, int], object]]
 
 
 def open(workspace: Path, *, progress: Progress = None, **options: Any) -> Scene:
-    """Reads the cameras and checks the images of a COLMAP project.
+    """Reads the cameras and checks the images of a COLMAP project: a folder as of --workspace_path.
 
     Options are those of automatic_drawer on images (max_image_size, mask_path, model_index, ...), and any others: they
     become the defaults of the stages. Writes nothing.
@@ -63,17 +63,26 @@ def _scene(source: Union[Path, Scene], options: dict[str, Any], progress: Progre
 
 
 def extract_edges(source: Union[Path, Scene], *, progress: Progress = None, **options: Any) -> Edges:
-    """Finds the edgels of all images. Options: EdgeDetection. Writes nothing."""
+    """Finds the edgels (oriented edge points) of all images of a project or a scene.
+
+    Options: EdgeDetection, and for a project those of open(). Writes nothing.
+    """
     return _limn.extract_edges(*_scene(source, options, progress), progress)
 
 
 def link(source: Union[Path, Scene], *, progress: Progress = None, **options: Any) -> Curves:
-    """Finds the curves of all images: chains of edgels. Options: EdgeDetection, Linking. Writes nothing."""
+    """Finds the curves of all images of a project or a scene: chains of edgels.
+
+    Options: EdgeDetection, Linking, and for a project those of open(). Writes nothing.
+    """
     return _limn.link(*_scene(source, options, progress), progress)
 
 
 def sketch(source: Union[Path, Scene, Curves], *, progress: Progress = None, **options: Any) -> Sketch:
-    """Reconstructs unconnected curves in space. Options: box, mode, ViewSelection, Sketch. Writes nothing."""
+    """Reconstructs unconnected curves in space, of a project or a scene, or from curves in its images.
+
+    Options: box, mode, ViewSelection, Sketch, and of the stages that are still to run. Writes nothing.
+    """
     if isinstance(source, Curves):
         return _limn.sketch(source, texts_of(options), progress)
     scene, left = _scene(source, options, progress)
@@ -119,8 +128,9 @@ def refine(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Dr
 def refine_cameras(workspace: Path, output_path: Path, *, progress: Progress = None, **options: Any) -> Scene:
     """The project with cameras refined by the curves in its images, as by camera_refiner.
 
-    Writes the COLMAP model output_path/refined, without a drawing. Options: refine_cameras (1 or auto), hold_images, and
-    those of automatic_drawer on images and on the algorithms.
+    Writes the COLMAP model output_path/refined, and output_path/curves/cameras.csv if the cameras moved, without a
+    drawing. Options: refine_cameras (1 or auto), hold_images, and those of automatic_drawer on images and on the
+    algorithms.
     """
     texts = texts_of(options, workspace_path=workspace, output_path=output_path)
     return _limn.refine_cameras_in_folder(texts, progress)
@@ -129,8 +139,8 @@ def refine_cameras(workspace: Path, output_path: Path, *, progress: Progress = N
 def regularize(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
     """The drawing with exact right angles, parallel lines, planes and equal circles, as by drawing_regularizer.
 
-    Regularities hold only where the images allow them. The drawing needs its scene: read_drawing(path, scene). Options: Regularity. Writes
-    nothing.
+    Regularities hold only where the images allow them. The drawing needs its scene: read_drawing(path, scene). Options:
+    Regularity. Writes nothing.
     """
     return _limn.apply("regularize", drawing, texts_of(options), progress)
 
@@ -168,19 +178,23 @@ def align(drawing: Drawing, known_length: Union[str, Iterable[str]] = (), *, pro
     """The drawing with its alignment (up, horizontal axes, scale), as by drawing_aligner.
 
     `known_length` has measured lengths: "link 12 = 2.40 m", "from 3 to 7 = 31 in" (nodes),
-    "a.jpg 120,340 to b.jpg 500,220 = 2.40 m" (pixels, the middle of the top-left one is 0.5,0.5). The drawing needs its scene.
-    Positions stay the model's; save() stores the alignment, and export(..., aligned=True) applies it. Options:
+    "a.jpg 120,340 to b.jpg 500,220 = 2.40 m" (pixels of the stored images, x and y; unlike elsewhere in Python the
+    center of the top-left one is 0.5,0.5). The drawing needs its scene. Positions stay the model's; save() stores the alignment, and export(..., aligned=True) applies it. Options:
     database_path, use_positions, world. Writes nothing.
     """
     return _limn.apply("align", drawing, texts_of(options, known_length=known_length or None), progress)
 
 
 class Length(NamedTuple):
-    """A length of a drawing, and its standard deviation: of the fit, the cameras, and the scale."""
+    """A length of a drawing, from measure(), in `unit`: 'm', or 'none' (the model's) if the scale is unknown.
+
+    `sigma` is its standard deviation, of the fit, the cameras and the scale, in the same unit; None if unknown. As text
+    it is like "2.4 +- 0.003 m".
+    """
 
     length: float
-    sigma: Optional[float]  # None if unknown
-    unit: str  # 'm', or 'none' if the scale is unknown: the model's
+    sigma: Optional[float]
+    unit: str
 
     def __str__(self) -> str:
         spread = "" if self.sigma is None else f" +- {self.sigma:.2g}"
@@ -191,7 +205,7 @@ def measure(drawing: Drawing, span: str) -> Length:
     """A length of a drawing, in meters if it is aligned and its scale is known.
 
     `span` is "link 12", "from 3 to 7" (nodes), or "a.jpg 120,340 to b.jpg 500,220": what photographs show at two pixels,
-    as in align(), which needs the scene.
+    as in align(), which needs the scene. Other texts raise OptionError.
     """
     length, sigma, unit = _limn.measure(drawing, span)
     return Length(length, sigma if sigma > 0 else None, unit)
@@ -205,11 +219,11 @@ def evaluate(drawing: Union[Path, Drawing], truth_path: Path, taus: Any = None, 
              **options: Any) -> dict[str, Any]:
     """Precision, recall and more against true curves or points, as of drawing_evaluator.
 
-    `drawing` may be any file of curves. `taus` are distances in the model's unit, or in footprints (the size of a
-    pixel there) with unit="footprint", which needs a scene or workspace_path. Returns the content of --output_json:
-    "rows" has a dictionary per tau with "precision", "recall", "f"; shares are 0 to 1, None where undefined. With
-    protocol="hss", and no taus, "hss" has a dictionary with "corner_f1", "edge_iou" and "hss" of wireframes. Writes
-    nothing but what output_json and output_csv name.
+    `drawing` may be any file of curves. `taus` are distances, one or several, in the model's unit, or in footprints (the
+    size of a pixel there) with unit="footprint", which needs a scene or workspace_path. Returns the content of
+    --output_json: "rows" has a dictionary per tau with "precision", "recall", "f"; shares are 0 to 1, None where
+    undefined. With protocol="hss", and no taus, "hss" has a dictionary with "corner_f1", "edge_iou" and "hss" of
+    wireframes. Options: those of drawing_evaluator. Writes nothing but what output_json and output_csv name.
     """
     core, path = _drawing_or_path(drawing)
     texts = texts_of(options, input_path=path, truth_path=truth_path, taus=taus)
@@ -218,7 +232,11 @@ def evaluate(drawing: Union[Path, Drawing], truth_path: Path, taus: Any = None, 
 
 
 def export(drawing: Union[Path, Drawing], output_path: Path, *, progress: Progress = None, **options: Any) -> None:
-    """Writes a drawing for another program, as drawing_exporter does, with its options: scale, up_axis, unit, kinds..."""
+    """Writes a drawing, or that of a file, for another program, as drawing_exporter does.
+
+    The extension of output_path names the format, unless output_type does. Options: those of drawing_exporter (aligned,
+    scale, up_axis, unit, kinds, view, ...); aligned needs a drawing from align().
+    """
     core, path = _drawing_or_path(drawing)
     _limn.export_drawing(core, texts_of(options, input_path=path, output_path=output_path), progress)
 
@@ -226,7 +244,8 @@ def export(drawing: Union[Path, Drawing], output_path: Path, *, progress: Progre
 def read_drawing(path: Path, source: Union[None, Path, Scene] = None) -> Drawing:
     """Reads a drawing.json. With the scene or the project that it was drawn from it has cameras and tracks.
 
-    Of a drawing with refined cameras these are taken from refined/ beside it, if they are there.
+    Of a drawing with refined cameras these are taken from refined/ beside it, if they are there. A scene with other
+    images raises IoError.
     """
     return _limn.read_drawing(path, None if source is None else _scene(source, {}, None)[0])
 
@@ -234,6 +253,6 @@ def read_drawing(path: Path, source: Union[None, Path, Scene] = None) -> Drawing
 def run(command: str, *, progress: Progress = None, **options: Any) -> None:
     """Runs a command of the program: run("curve_linker", workspace_path="my_project", format="cem").
 
-    It writes what it writes there, but prints nothing.
+    It writes what it writes there, but prints nothing. Other names than those of commands raise OptionError.
     """
     _limn.run(command, texts_of(options), progress)

@@ -52,14 +52,16 @@ def _white(images: Iterable[Any]) -> float:
 
 def scene_from_arrays(images: Sequence[Any], K: Any, R: Any, t: Any, names: Optional[Sequence[str]] = None,
                       pixel_centers: str = "integer", progress: Any = None, **options: Any) -> Scene:
-    """A scene of pinhole cameras x_px = K (R X + t).
+    """A scene of N images by pinhole cameras x_px = K (R X + t).
 
-    images: arrays H x W or H x W x 3 (RGB) of uint8, uint16, or floating-point numbers: 0 to 1, or, if one of them is
-    above 2, 0 to 255, as of Scene.image(). They are copied, and may be as large as files.
-    K: 3 x 3 for all or N x 3 x 3, px; R: N x 3 x 3; t: N x 3, or N x 3 x 1. With pixel_centers "integer" the center of
-    the top-left pixel is (0, 0), as in OpenCV; with "half" (0.5, 0.5), as in COLMAP.
-    names: of the images, in the order of which views are numbered; default image-0000 and so on.
-    Options as of limn.open().
+    - `images`: arrays H x W or H x W x 3 (RGB) of uint8, uint16, or floating-point numbers: 0 to 1, or, if one of them
+      is above 2, 0 to 255, as of Scene.image(). They are copied, and may be as large as files.
+    - `K`: 3 x 3 for all or N x 3 x 3, px; `R`: N x 3 x 3; `t`: N x 3, or N x 3 x 1, in the model's unit.
+    - `names`: of the images, in the order of which views are numbered; default image-0000 and so on.
+    - `pixel_centers`: "integer" if the center of the top-left pixel is (0, 0), as in OpenCV; "half" if it is (0.5, 0.5),
+      as in COLMAP.
+
+    Options as of limn.open(). Arrays of other shapes or types, and images of more than 2 GB, raise InputError.
     """
     if pixel_centers not in ("integer", "half"):
         raise OptionError(f"pixel_centers = {pixel_centers}: must be one of {{integer, half}}")
@@ -157,10 +159,10 @@ def scene_from_reconstruction(reconstruction: Any, image_path: Any = None, image
     """The scene of an object like pycolmap.Reconstruction, which is copied.
 
     It has the dictionaries cameras (model_name or model, params, width, height), images (name, camera_id,
-    cam_from_world, points2D) and points3D (xyz, color, error, track.elements). From COLMAP 3.12 on also rigs and
-    frames, from which poses of images are composed: images of a frame move together when cameras are refined.
-    image_path: the folder of its images; or images: arrays by name, as of Scene.from_arrays(). Options as of
-    limn.open().
+    cam_from_world, points2D) and points3D (xyz, color, error, track.elements), in COLMAP's conventions; images without a
+    pose are left out. From COLMAP 3.12 on also rigs and frames, from which poses of images are composed: images of a
+    frame move together when cameras are refined. Either `image_path` is given, the folder of its images, or `images`,
+    arrays by name, as of Scene.from_arrays(). Options as of limn.open().
     """
     if (image_path is None) == (images is None):
         raise OptionError("from_reconstruction: either image_path or images must be given")
