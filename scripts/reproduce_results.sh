@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the tables and figures of the paper, and of Limn beside it: datasets/RESULTS.md and its pictures. Takes about an hour on two
+# Makes the tables and figures of the paper, and of Limn beside it: datasets/RESULTS.md and its pictures. Takes about two hours on two
 # cores, and some more for cameras that are wrong. Needs Debian's python3-opencv.
 # Argument: the folder of the data sets of datasets/README.md, by default ../shared/data.
 set -euo pipefail
@@ -13,6 +13,7 @@ scripts/stereo_worth.sh
 scripts/quality_report.sh --sets $sets --data_path "$data"
 scripts/pose_ladder.sh --data_path "$data"
 scripts/measure_street.sh
+scripts/benchmark.sh methods
 /usr/bin/python3 scripts/bench/results_page.py build/quality/report.json "$(git describe --always --dirty)" datasets build/ladder/ladder.md \
-  build/stereo_worth/section.md build/street/section.md
+  build/stereo_worth/section.md build/street/section.md build/benchmark/section.md
 echo "Look at: datasets/RESULTS.md"

@@ -3,7 +3,7 @@
 
     benchmark.py inputs [--rungs blur-1,views-6]   makes the inputs: build/benchmark/<rung>/
     benchmark.py score <rung> <curves>             scores a PLY, OBJ or drawing.json that was made of one
-    benchmark.py methods [--rungs ...]             draws them by four methods of Limn, as expected numbers: table.md
+    benchmark.py methods [--rungs ...]             draws them by four methods of Limn, as expected numbers: section.md
 
 A rung is a COLMAP workspace: images/, sparse/0 (binary; PINHOLE cameras, without points where the images are not those that
 the points are from), evaluator.ini with how it is scored. scripts/benchmark.sh builds what is needed and calls it.
@@ -120,10 +120,19 @@ def draw_all(name):
     return rows
 
 
-def write_table(results):
+SECTION = """## The benchmark
+
+Written by `scripts/benchmark.sh methods` at {version}. Cells: precision / recall / F at 2 pixel footprints, in percent, and CPU seconds of
+the run; the two methods of `scripts/paper.ini` share one. What the rungs are: [datasets/README.md](README.md#as-a-benchmark).
+
+"""
+
+
+def write_section(results):
+    version = Run([LIMN, "--version"]).output.splitlines()[0]
     lines = ["| rung | " + " | ".join(METHODS) + " |", "|---" * (len(METHODS) + 1) + "|"]
     lines += [f"| `{name}` | " + " | ".join(rows[method] for method in METHODS) + " |" for name, rows in results.items()]
-    (OUTPUT / "table.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (OUTPUT / "section.md").write_text(SECTION.format(version=version) + "\n".join(lines) + "\n", encoding="utf-8")
 
 
 def rungs_of(text):
@@ -152,7 +161,7 @@ def body():
         print(f"made {folder}", flush=True)
         if arguments.task == "methods":
             results[name] = draw_all(name)
-            write_table(results)
+            write_section(results)
             print(f"{name}: {results[name]}", flush=True)
 
 
