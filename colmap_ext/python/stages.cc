@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/host/plugin.h"
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/verbs/draw.h"
 #include "colmap_ext/verbs/draw_sketch.h"
@@ -379,8 +380,11 @@ SceneLength MeasureLength(const SceneDrawing& drawing, const std::string& text) 
 }
 
 void SaveDrawing(const SceneDrawing& drawing, const std::string& path) {
-  const bool is_whole = DrawingFormatOf(path, {}) == "json";
-  WriteDrawing(path, is_whole ? drawing.graph : Selected(drawing.graph, {}), drawing.metadata);
+  const std::string name = DrawingFormatOf(path, {});
+  DrawingFormatOptions format;
+  if (name == "step") format.write_step = LoadStepWriter();
+  WriteDrawing(path, name == "json" ? drawing.graph : Selected(drawing.graph, {}), drawing.metadata,
+               format);
 }
 
 std::string DrawingAsJson(const SceneDrawing& drawing) {

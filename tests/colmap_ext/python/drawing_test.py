@@ -46,6 +46,12 @@ class Drawings(unittest.TestCase):
             self.drawing.save(self.output / name)
             self.assertEqual((self.output / name).read_bytes(), (self.output / "run" / name).read_bytes(), name)
 
+    def test_saves_step_by_the_plug_in(self):
+        if not (Path(PROGRAM).parent / "lib/limn/plugins/limn_step.so").exists():
+            self.skipTest("built without OpenCASCADE")
+        self.drawing.save(self.output / "drawing.step")
+        self.assertTrue((self.output / "drawing.step").read_bytes().startswith(b"ISO-10303-21;"))
+
     def test_writes_nothing_unless_told(self):
         self.assertEqual(scenes.files_below(scenes.DAY), self.before)
 
