@@ -8,12 +8,12 @@
 namespace limn::colmap_ext {
 
 // Parts of the program in libraries of their own (plugins/), which are loaded when they are needed,
-// so that nobody must have the libraries they use: limn_step.so and limn_mpi.so, in the nearest
-// folder lib/limn/plugins of the folder of the program, or of the Python module, and of those above
-// it. Once loaded they stay until the process ends.
+// so that nobody must have the libraries they use: limn_step.so and limn_mpi.so, in the folder
+// lib/limn/plugins that belongs to the program or the Python module. Once loaded they stay until
+// the process ends.
 //
-// Throw IoError if there is none, one of another version, or one that cannot be loaded, such as
-// without the libraries that it uses.
+// Throw IoError if there is none, one of another build, one that others can write, or one that
+// cannot be loaded, such as without the libraries that it uses.
 
 // WriteDrawingStep.
 StepWriter LoadStepWriter();

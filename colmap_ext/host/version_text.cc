@@ -13,4 +13,6 @@ std::string VersionText() {
   return version + "\nbuilt by " LIMN_COMPILER " with " LIMN_LIBRARIES;
 }
 
+std::string BuildId() { return LIMN_VERSION " " LIMN_COMMIT; }
+
 }  // namespace limn::colmap_ext

@@ -8,4 +8,7 @@ namespace limn::colmap_ext {
 // compiler and the libraries.
 std::string VersionText();
 
+// Version and commit, "0.3.0 0123456789ab": what belongs together has the same.
+std::string BuildId();
+
 }  // namespace limn::colmap_ext

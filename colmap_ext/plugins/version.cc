@@ -1,7 +1,9 @@
-// In every plug-in: the version that it was built with.
+// In every plug-in: the build that it belongs to, as BuildId of the program (host/version_text.h).
 #include "limn/version.h"
 
 #include <boost/config.hpp>
 
-extern "C" BOOST_SYMBOL_EXPORT const char* limn_plugin_version();
-const char* limn_plugin_version() { return LIMN_VERSION; }
+#include "limn/commit.h"
+
+extern "C" BOOST_SYMBOL_EXPORT const char* limn_plugin_build();
+const char* limn_plugin_build() { return LIMN_VERSION " " LIMN_COMMIT; }

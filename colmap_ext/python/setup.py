@@ -41,6 +41,10 @@ class BuildWithCmake(build_ext):
         target.parent.mkdir(parents=True, exist_ok=True)
         for name in (target.name, "_limn.pyi"):
             shutil.copy(folder / "python/limn" / name, target.parent)
+        step = folder / "lib/limn/plugins/limn_step.so"
+        if step.exists():
+            (target.parent / "lib/limn/plugins").mkdir(parents=True, exist_ok=True)
+            shutil.copy(step, target.parent / "lib/limn/plugins")
 
 
 OWN_BUILD.mkdir(parents=True, exist_ok=True)

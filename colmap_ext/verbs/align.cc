@@ -55,7 +55,7 @@ bool MakeGeographic(PosePriors* priors) {
   }
   if (!AreEarthFixed(positions)) return false;
   for (auto& [image, prior] : *priors) {
-    if (!prior.position) continue;
+    if (!prior.position || prior.is_geographic) continue;
     const GeoPosition at = GeoFromEarthFixed(*prior.position);
     prior.position = {at.latitude_deg, at.longitude_deg, at.altitude_m};
     prior.is_geographic = true;

@@ -272,6 +272,7 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
       Transformed(Selected(std::move(drawing.graph), options.selection.Selection()), scale,
                   rotation, translation);
   DrawingFormatOptions format = options.format;
+  if (FormatName(options) == "step") format.write_step = LoadStepWriter();
   format.unit = frame.unit;
   metadata = After(frame.from_model, std::move(metadata));
   format.dxf.junctions = format.glb.junctions = options.junctions;
@@ -298,7 +299,6 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
         is_svg ? std::move(scene.graph) : PutPlan(std::move(scene), options, metadata, &format.dxf);
   }
   ThrowIfCancelled(console->context());
-  if (FormatName(options) == "step") format.write_step = LoadStepWriter();
   if (FormatName(options) == "wireframe") SetTolerance(graph, &format.wireframe, console);
   if (FormatName(options) == "step" && frame.unit == LengthUnit::kNone) {
     console->Say(

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # archive.sh: make build/portable/limn-<version>-linux-<machine>.tar.gz, which runs wherever it is unpacked: the program
 # with its plug-ins and libraries, the Python module, man pages, completion; and wheels of the same; and SHA256SUMS.
-# Builds in build/portable/build, which takes little where ccache knows the files of another build. Installs
+# Builds in build/archive, which takes little where ccache knows the files of another build. Installs
 # what is missing.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 source_dir=$(cd "$here/../.." && pwd)
 portable=$source_dir/build/portable
-build=$portable/build
+# As deep as build/release: ccache knows its files by relative paths.
+build=$source_dir/build/archive
 
 "$source_dir/scripts/setup.sh" patchelf dpkg-dev libopenjp2-7-dev libpng-dev libtiff-dev libwebp-dev
 "$here/lean_libraries.sh" "$portable/libraries"
@@ -33,8 +34,9 @@ mv "$stage/python-limn" "$stage/python/limn"
 
 "$here/bundle.py" "$stage/lib/limn" "$stage/bin/limn" "$stage"/lib/limn/plugins/*.so "$stage"/python/limn/_limn.*.so \
   --search "$portable/libraries/lib" >"$portable/bundled.txt"
+mapfile -t bundled <"$portable/bundled.txt"
 "$here/third_party_notices.py" --output "$stage/THIRD_PARTY_NOTICES.txt" --npm "$build/src/limn/viewer/page" \
-  --users "$build/limn" "$build"/lib/limn/plugins/*.so "$build"/python-modules/*.so -- $(<"$portable/bundled.txt") ||
+  --users "$build/limn" "$build"/lib/limn/plugins/*.so "$build"/python-modules/*.so -- "${bundled[@]}" ||
   { echo "ERROR: the archive may not be passed on as it is: $stage/THIRD_PARTY_NOTICES.txt" >&2; exit 1; }
 cp "$source_dir/LICENSE" "$stage/"
 cp "$source_dir/colmap_ext/docs/changelog.md" "$stage/share/doc/limn/"
@@ -45,7 +47,7 @@ Limn $version: 3D drawings from COLMAP projects
   bin/limn automatic_drawer --workspace_path my_project
   bin/limn help
 
-In Python: PYTHONPATH=$(printf '%s' '<this folder>')/python; needs numpy.
+In Python: PYTHONPATH=<this folder>/python; needs numpy.
 Man pages are in share/man, completion of bash is in share/bash-completion.
 
 Runs on Linux with $requires or newer (Debian 12 and later, Ubuntu 24.04 and later). On several

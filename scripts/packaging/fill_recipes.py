@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fills in the recipes of conda-forge, vcpkg and Homebrew for a release: where it is, and checksums of its archives.
 
-    fill_recipes.py --repository OWNER/NAME --maintainer NAME --archive limn-0.2.0.tar.gz --npm_cache limn-0.2.0-npm-cache.tar.gz --output FOLDER
+    fill_recipes.py --repository OWNER/NAME --maintainer NAME --archive limn-0.3.0.tar.gz --npm_cache limn-0.3.0-npm-cache.tar.gz --output FOLDER
 
 The recipes beside this file hold marks like @LIMN_SHA256@. They are written to FOLDER/conda, FOLDER/vcpkg and FOLDER/homebrew."""
 
@@ -54,7 +54,7 @@ def main():
         raise SystemExit(f"--repository {chosen.repository}: not of the form OWNER/NAME")
     for path in (chosen.archive, chosen.npm_cache):
         if not path.is_file():
-            raise SystemExit(f"{path}: no such file; the job of .github/workflows/release.yml makes it")
+            raise SystemExit(f"{path}: no such file; the job of scripts/packaging/github/release.yml makes it")
     known = values(chosen.repository, chosen.maintainer, chosen.archive, chosen.npm_cache)
     for name in RECIPES:
         path = chosen.output / name

@@ -1,5 +1,6 @@
-# What `cmake --install` puts in place, in components: program (with man pages and completion), library_static or
-# library_shared, and development (headers and limn-config.cmake).
+# What `cmake --install` puts in place, in components: program (with man pages and completion), plugin_step and plugin_mpi
+# (colmap_ext/plugins), python (packages.cmake), library_static or library_shared, and development (headers and
+# limn-config.cmake).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -40,10 +41,13 @@ function(limn_links_of module public_result private_result)
   set(${private_result} ${private} PARENT_SCOPE)
 endfunction()
 
-# limn_installed_library(<name> EXPORT_NAME <name> MODULES <targets...> [DEPENDS <installed libraries...>]):
+# limn_installed_library(<name> EXPORT_NAME <name> MODULES <targets...> [DEPENDS <installed libraries...>] [SET <export set>]):
 # lib<name>, made of the objects of the modules, which users find as limn::<export name>. A target per kind.
 function(limn_installed_library name)
-  cmake_parse_arguments(ARG "" "EXPORT_NAME" "MODULES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "EXPORT_NAME;SET" "MODULES;DEPENDS" ${ARGN})
+  if(NOT ARG_SET)
+    set(ARG_SET limn)
+  endif()
   foreach(kind ${library_kinds})
     set(library ${name}_${kind})
     string(TOUPPER ${kind} type)
@@ -65,7 +69,7 @@ function(limn_installed_library name)
     if(kind STREQUAL LIMN_LIBRARY_KIND)
       set(unless_asked_for "")
     endif()
-    install(TARGETS ${library} EXPORT limn-${kind}
+    install(TARGETS ${library} EXPORT ${ARG_SET}-${kind}
       LIBRARY COMPONENT library_${kind} NAMELINK_COMPONENT library_${kind} ${unless_asked_for}
       ARCHIVE COMPONENT library_${kind} ${unless_asked_for}
       INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
@@ -76,7 +80,7 @@ limn_modules_in(${PROJECT_SOURCE_DIR}/src/limn modules)
 list(REMOVE_ITEM modules limn_step)
 limn_installed_library(limn EXPORT_NAME limn MODULES ${modules})
 if(LIMN_WITH_STEP)
-  limn_installed_library(limn_step EXPORT_NAME step MODULES limn_step DEPENDS limn)
+  limn_installed_library(limn_step EXPORT_NAME step MODULES limn_step DEPENDS limn SET limn-step)
 endif()
 limn_installed_library(limn_colmap_workspace EXPORT_NAME colmap_workspace
   MODULES limn_colmap_model limn_workspace DEPENDS limn)
@@ -86,6 +90,9 @@ foreach(kind ${library_kinds})
     set(unless_asked_for "")
   endif()
   install(EXPORT limn-${kind} NAMESPACE limn:: DESTINATION ${config_dir} COMPONENT library_${kind} ${unless_asked_for})
+  if(LIMN_WITH_STEP)
+    install(EXPORT limn-step-${kind} NAMESPACE limn:: DESTINATION ${config_dir} COMPONENT library_${kind} ${unless_asked_for})
+  endif()
 endforeach()
 
 # Headers, as they are included; but not those that need the headers of libraries that users need not have.

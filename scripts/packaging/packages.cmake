@@ -45,13 +45,13 @@ list(JOIN recommended ", " CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS)
 set(dev_packages libeigen3-dev)
 if(NOT BUILD_SHARED_LIBS)
   string(APPEND dev_packages ", libceres-dev, libicu-dev, libjpeg-dev, liblz4-dev, libopencv-dev, libsqlite3-dev, libtbb-dev, zlib1g-dev")
-  if(LIMN_WITH_STEP)
-    string(APPEND dev_packages ", libocct-data-exchange-dev")
-  endif()
 endif()
 limn_package(library liblimn-dev
   DESCRIPTION "3D drawings from COLMAP projects, library
  Headers, libraries and limn-config.cmake." DEPENDS "${dev_packages}")
+if(LIMN_WITH_STEP)
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS libocct-data-exchange-dev)
+endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/liblimn-dev COMPONENT development)
 
@@ -62,6 +62,7 @@ if(LIMN_WITH_PYTHON)
     DESCRIPTION "3D drawings from COLMAP projects, Python module
  The package limn for Debian's Python."
     DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS limn-step)
   # Where only Debian's Python looks; others install the wheel.
   install(TARGETS limn_python DESTINATION lib/python3/dist-packages/limn COMPONENT python EXCLUDE_FROM_ALL)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/python/limn DESTINATION lib/python3/dist-packages

@@ -1,6 +1,7 @@
 // Writes a workspace of a data set whose cameras are wrong, fewer or of another size, and how what
 // is drawn there is judged: scripts/bench/pose_ladder.py and benchmark.py draw it.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <random>
 
@@ -101,26 +102,32 @@ void TurnCameras(double angle_deg, std::mt19937* random, SparseModel* model) {
   }
 }
 
+// Images would name points that are not there, or are elsewhere in them.
+void RemovePoints(SparseModel* model) {
+  model->points.clear();
+  for (auto& image : model->images) image.observations.clear();
+}
+
 // So many images, evenly spread in their order.
 void KeepViews(size_t num_views, SparseModel* model) {
   auto& images = model->images;
   if (num_views >= images.size()) return;
   for (size_t i = 0; i < num_views; ++i) images[i] = images[i * images.size() / num_views];
   images.resize(num_views);
-  model->points = {};
+  RemovePoints(model);
 }
 
 // Of pictures that were made larger or smaller by this factor.
 void ScaleCameras(double scale, SparseModel* model) {
   for (auto& camera : model->cameras) {
-    if (camera.model_id != colmap_ext::CameraModelId::kPinhole) {
+    if (camera.model != colmap_ext::CameraModelId::kPinhole) {
       throw InputError("--scale: the set has other cameras than PINHOLE");
     }
     for (double& param : camera.params) param *= scale;
     camera.width = static_cast<uint64_t>(std::lround(scale * camera.width));
     camera.height = static_cast<uint64_t>(std::lround(scale * camera.height));
   }
-  model->points = {};
+  RemovePoints(model);
 }
 
 // How drawing_evaluator judges what was drawn with these cameras, as a project file for it.

@@ -219,17 +219,19 @@ TEST(DrawingExporter, StepWhereItIsBuilt) {
 class WithoutPlugins : public ::testing::Test {
  protected:
   LimnRun Export(const std::string& name) const {
-    return RunProgram((alone_ / "limn").string(),
+    return RunProgram((folder_ / "limn").string(),
                       {"drawing_exporter", "--input_path", exported_.Path("drawing.json"),
                        "--output_path", (alone_ / name).string()});
   }
-  void SetUp() override { fs::copy_file(LIMN_PROGRAM, alone_ / "limn"); }
-  std::string Plugin(const std::string& name) {
-    fs::create_directories(alone_ / "lib/limn/plugins");
-    return (fs::canonical(alone_.path()) / "lib/limn/plugins" / name).string();
+  void SetUp() override {
+    fs::create_directories(folder_ / "lib/limn/plugins");
+    fs::copy_file(LIMN_PROGRAM, folder_ / "limn");
+    plugin_ = (fs::canonical(folder_) / "lib/limn/plugins/limn_step.so").string();
   }
 
   TempDir alone_;
+  const fs::path folder_ = alone_ / "no/system/near";
+  std::string plugin_;
   const ExportedDrawing exported_{PrimitiveDrawing()};
 };
 
@@ -237,28 +239,34 @@ TEST_F(WithoutPlugins, OnlyWhatNeedsThemFails) {
   EXPECT_EQ(Export("a.dxf").exit_code, 0);
   const LimnRun run = Export("a.step");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.err, "ERROR: " + Plugin("limn_step.so") +
-                         ": this part of Limn is not installed (looked there and in the folders "
-                         "above)\n");
+  EXPECT_THAT(run.err, AllOf(StartsWith("ERROR: " + (fs::canonical(folder_) / "limn").string() +
+                                        ": has no part limn_step.so beside it: "),
+                             HasSubstr("limn-step")));
   EXPECT_FALSE(fs::exists(alone_ / "a.step"));
 }
 
 TEST_F(WithoutPlugins, DamagedOnesAreNamed) {
-  const std::string plugin = Plugin("limn_step.so");
-  std::ofstream(plugin) << "no library";
+  std::ofstream(plugin_) << "no library";
   const LimnRun run = Export("a.step");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, StartsWith("ERROR: " + plugin + ": cannot be loaded: "));
+  EXPECT_THAT(run.err, StartsWith("ERROR: " + plugin_ + ": cannot be loaded: "));
 }
 
 // Any other library.
-TEST_F(WithoutPlugins, ThoseOfAnotherVersionAreRefused) {
-  const std::string plugin = Plugin("limn_step.so");
-  fs::copy_file(LIMN_NO_FLOCK, plugin);
+TEST_F(WithoutPlugins, ThoseOfAnotherBuildAreRefused) {
+  fs::copy_file(LIMN_NO_FLOCK, plugin_);
   const LimnRun run = Export("a.step");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err,
-              StartsWith("ERROR: " + plugin + ": is of version unknown, but this is limn "));
+  EXPECT_THAT(run.err, StartsWith("ERROR: " + plugin_ + ": is of build unknown, but this is 0."));
+}
+
+// Whatever is in them.
+TEST_F(WithoutPlugins, ThoseThatAnybodyMayWriteAreNotLoaded) {
+  fs::copy_file(LIMN_NO_FLOCK, plugin_);
+  fs::permissions(plugin_, fs::perms::others_write, fs::perm_options::add);
+  const LimnRun run = Export("a.step");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, StartsWith("ERROR: " + plugin_ + ": is not loaded: "));
 }
 
 class BadExport : public ::testing::Test {

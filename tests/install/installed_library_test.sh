@@ -39,6 +39,10 @@ printf 'view_0%d.jpg\n' 0 1 2 3 4 5 >"$work/images.txt"
 "$work/build/consumer" "$source_dir/datasets/sample/day" "$work/images.txt" "$work/drawing.json" | tee "$work/said"
 grep -q -E '^limn 0\.3\.[0-9]+: [1-9][0-9]+ links in 6 images$' "$work/said" || fail "too little was drawn"
 
+if [[ -n $(find "$prefix" -name "limn-step-$kind.cmake") ]]; then
+  head -c 13 "$work/drawing.json.step" | grep -q 'ISO-10303-21;' || fail "limn::step writes no STEP file"
+fi
+
 # It is the library of the program.
 "$build/limn" automatic_drawer --workspace_path "$source_dir/datasets/sample/day" --image_list_path "$work/images.txt" \
   --quality low --max_image_size 320 --page 0 --output_path "$work/program" >"$work/log" || fail "$(cat "$work/log")"

@@ -2,11 +2,11 @@
 #
 # Not yet run by its system; checked: ruby -c, names of formulae against homebrew-core of 2026.
 # It cannot work yet: Limn asks CMake for Eigen 3.4, and Homebrew's ceres-solver is built with, and asks for exactly, its Eigen 5.
-# Linux only (renameat2, malloc_trim), x86_64 only (esbuild's program in npm's cache). Without STEP (needs OpenCASCADE 7.6), MPI and Python.
+# Linux only (renameat2, malloc_trim), x86_64 only (esbuild's program in npm's cache). Without STEP (needs OpenCASCADE 7.6 to 7.9), MPI and Python.
 class Limn < Formula
   desc "3D drawings from COLMAP projects"
   homepage "https://github.com/@LIMN_REPOSITORY@"
-  url "https://github.com/@LIMN_REPOSITORY@/releases/download/v0.2.0/limn-0.2.0.tar.gz"
+  url "https://github.com/@LIMN_REPOSITORY@/releases/download/v0.3.0/limn-0.3.0.tar.gz"
   sha256 "@LIMN_SHA256@"
   license all_of: ["BSD-3-Clause", "MIT"] # MIT: three.js, in the page of drawing_viewer
 
@@ -31,7 +31,7 @@ class Limn < Formula
 
   # npm's cache of the viewer page, so that the build needs no network.
   resource "npm-cache" do
-    url "https://github.com/@LIMN_REPOSITORY@/releases/download/v0.2.0/limn-0.2.0-npm-cache.tar.gz"
+    url "https://github.com/@LIMN_REPOSITORY@/releases/download/v0.3.0/limn-0.3.0-npm-cache.tar.gz"
     sha256 "@LIMN_NPM_CACHE_SHA256@"
   end
 

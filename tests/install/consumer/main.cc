@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/model/model_reader.h"
@@ -9,6 +10,7 @@
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/alignment/camera_hints.h"
 #include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/step/step_drawing_writer.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/pipeline/pipeline.h"
 #include "limn/version.h"
@@ -33,6 +35,10 @@ void Draw(const char* workspace, const char* image_list, const char* output) {
   for (const View& view : set.views) metadata.view_names.push_back(view.name);
   metadata.main_view_direction = MainViewDirection(set.views);
   WriteDrawing(output, result.graph, metadata);
+#ifdef WITH_STEP
+  WriteDrawing(std::string(output) + ".step", result.graph, metadata,
+               {.write_step = &WriteDrawingStep});
+#endif
 }
 
 }  // namespace

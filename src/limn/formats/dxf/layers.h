@@ -23,7 +23,8 @@ struct DxfLayer {
   int line_weight = 25;
 };
 
-// The nonempty layers, that of the sheet (kDxfSheetLayer) of a plan last, and the layer of every link, of every face and of the junctions.
+// The nonempty layers, that of the sheet (kDxfSheetLayer) of a plan last, and the layer of every
+// link, of every face and of the junctions.
 struct DxfLayerPlan {
   std::vector<DxfLayer> layers;
   std::vector<int> of_link;
