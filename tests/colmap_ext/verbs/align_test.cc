@@ -123,13 +123,13 @@ class AlignmentRun : public ::testing::Test {
     return *aligner.Align(scene_->views(), graph, &console_);
   }
 
-  void ExpectTruth(const Alignment& found) const {
+  void ExpectTruth(const Alignment& found, double max_deg = 0.01) const {
     const Similarity3d& world_from_model = found.world_from_model;
     EXPECT_NEAR(world_from_model.scale / world_from_model_.scale, 1, 1e-3);
     for (const int axis : {0, 2}) {
       EXPECT_LT(limn::testing::AngleDeg(world_from_model.rotation.row(axis),
                                         world_from_model_.rotation.row(axis)),
-                0.01)
+                max_deg)
           << axis;
     }
   }
@@ -167,7 +167,7 @@ TEST_F(AlignmentRun, EarthCenteredPositionsAreGeographicOnes) {
   const Alignment alignment = Align();
   EXPECT_EQ(alignment.up, UpSource::kPositions);
   EXPECT_EQ(alignment.scale, ScaleSource::kPositions);
-  ExpectTruth(alignment);
+  ExpectTruth(alignment, /*max_deg=*/0.05);  // a millimeter across the room is 0.02
   EXPECT_THAT(console_.text(), HasSubstr("earth-centered (ECEF)"));
 }
 

@@ -38,11 +38,16 @@ namespace {
 
 class DrawingStep : public ::testing::Test {
  protected:
-  TopoDS_Shape WriteAndRead(const DrawingGraph& graph, LengthUnit unit = LengthUnit::kNone) {
+  void Write(const std::string& name, const DrawingGraph& graph,
+             LengthUnit unit = LengthUnit::kNone) {
     DrawingFormatOptions options;
     options.unit = unit;
+    options.write_step = &WriteDrawingStep;
+    WriteDrawing(folder_.Path(name), graph, {{"a", "b"}, "{}"}, options);
+  }
+  TopoDS_Shape WriteAndRead(const DrawingGraph& graph, LengthUnit unit = LengthUnit::kNone) {
     const std::string path = folder_.Path("d.step");
-    WriteDrawing(path, graph, {{"a", "b"}, "{}"}, options);
+    Write("d.step", graph, unit);
     STEPControl_Reader reader;
     EXPECT_EQ(reader.ReadFile(path.c_str()), IFSelect_RetDone);
     EXPECT_EQ(reader.TransferRoots(), 1);
@@ -234,14 +239,19 @@ TEST_F(DrawingStep, WiresHoldWherePrimitivesEndBesideTheirNodes) {
 }
 
 TEST_F(DrawingStep, TheSameBytesAgain) {
-  WriteDrawing(folder_.Path("a.stp"), PrimitiveDrawing(), {{"a", "b"}, "{}"});
-  WriteDrawing(folder_.Path("b.STEP"), PrimitiveDrawing(), {{"a", "b"}, "{}"});
+  Write("a.stp", PrimitiveDrawing());
+  Write("b.STEP", PrimitiveDrawing());
   EXPECT_EQ(TemporaryFolder::Read(folder_.Path("a.stp")),
             TemporaryFolder::Read(folder_.Path("b.STEP")));
 }
 
 TEST_F(DrawingStep, NothingIsNoStepFile) {
-  EXPECT_THROW(WriteDrawing(folder_.Path("a.step"), {}, {}), InputError);
+  EXPECT_THROW(Write("a.step", {}), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder_.Path("a.step")));
+}
+
+TEST_F(DrawingStep, NeedsItsWriter) {
+  EXPECT_THROW(WriteDrawing(folder_.Path("a.step"), PrimitiveDrawing(), {{"a", "b"}, "{}"}), IoError);
   EXPECT_FALSE(std::filesystem::exists(folder_.Path("a.step")));
 }
 
@@ -254,7 +264,7 @@ TEST_F(DrawingStep, CurvesThatOpenCascadeRefusesAreNamed) {
   builder.AddShape(spline);
   RebuildIncidence(&builder.graph());
   try {
-    WriteDrawing(folder_.Path("a.step"), builder.graph(), {{"a", "b"}, "{}"});
+    Write("a.step", builder.graph());
     FAIL() << "it was written";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("link_0"));

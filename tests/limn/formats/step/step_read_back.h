@@ -27,6 +27,7 @@ class StepFaces : public ::testing::Test {
   TopoDS_Shape ReadBack(const DrawingGraph& graph) {
     EXPECT_THAT(Validate(graph), ::testing::IsEmpty());
     const std::string path = folder_.Path("d.step");
+    options_.write_step = &WriteDrawingStep;
     left_out_ = WriteDrawing(path, graph, {{"a", "b"}, "{}"}, options_);
     text_ = TemporaryFolder::Read(path);
     STEPControl_Reader reader;
