@@ -1,11 +1,10 @@
 #include "limn/evaluation/edge_solids.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <tuple>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -28,13 +27,10 @@ struct Span {
   bool IsEmpty() const { return !(from < to); }
 };
 
-// Of a wireframe's edge, whatever its direction.
-using EdgePlace = std::array<double, 6>;
+auto EndOrder(const Eigen::Vector3d& end) { return std::tuple(end.x(), end.y(), end.z()); }
 
-EdgePlace PlaceOfEdge(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const auto key = [](const Eigen::Vector3d& p) { return std::tuple(p.x(), p.y(), p.z()); };
-  const auto& [low, high] = key(b) < key(a) ? std::tie(b, a) : std::tie(a, b);
-  return {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+auto EdgeOrder(const EdgeSolid& solid) {
+  return std::tuple(EndOrder(solid.start), EndOrder(solid.end));
 }
 
 Slab SlabBetweenEnds(const EdgeSolid& solid) {
@@ -112,16 +108,18 @@ void CutByRound(const EdgeSolid& solid, double x, double y, Span* span) {
 
 std::vector<EdgeSolid> ThickenEdges(const Wireframe& wireframe, EdgeShape shape, double radius) {
   std::vector<EdgeSolid> solids;
-  std::set<EdgePlace> seen;
   for (const auto& [a, b] : wireframe.edges) {
-    const Eigen::Vector3d& start = wireframe.vertices[a];
-    const Eigen::Vector3d& end = wireframe.vertices[b];
-    if (!((end - start).norm() >= kMinEdgeLength)) continue;
-    if (!seen.insert(PlaceOfEdge(start, end)).second) continue;
-    EdgeSolid solid{start, end, radius, shape == EdgeShape::kCylinder, {}};
+    EdgeSolid solid{
+        wireframe.vertices[a], wireframe.vertices[b], radius, shape == EdgeShape::kCylinder, {}};
+    if (!((solid.end - solid.start).norm() >= kMinEdgeLength)) continue;
+    // The same numbers from either end.
+    if (EndOrder(solid.end) < EndOrder(solid.start)) std::swap(solid.start, solid.end);
     solid.slabs = solid.is_round ? std::vector{SlabBetweenEnds(solid)} : SlabsOfPrism(solid);
     solids.push_back(std::move(solid));
   }
+  std::ranges::sort(solids, {}, EdgeOrder);
+  const auto copies = std::ranges::unique(solids, {}, EdgeOrder);
+  solids.erase(copies.begin(), copies.end());
   return solids;
 }
 

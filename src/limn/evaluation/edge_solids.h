@@ -33,7 +33,7 @@ struct EdgeSolid {
 };
 
 // Of the edges longer than 1e-6 of the wireframe's unit, as the program of the challenge skips
-// others; those of the same two places once.
+// others; those of the same two places once, in the order of coordinates.
 std::vector<EdgeSolid> ThickenEdges(const Wireframe& wireframe, EdgeShape shape, double radius);
 
 // The same after a rotation and then a translation.

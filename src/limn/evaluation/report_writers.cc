@@ -309,6 +309,10 @@ void WriteReportCsv(const EvaluationReport& report, std::ostream& out) {
 
 void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
   Json json;
+  if (report.hss) {
+    out << Json{{"unit", "m"}, {"hss", HssAsJson(*report.hss)}}.dump(2) << '\n';
+    return;
+  }
   json["unit"] = report.in_footprints ? "footprint" : "world";
   json["rows"] = Json::array();
   for (const TauResult& row : report.rows) {
@@ -332,7 +336,6 @@ void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
   json["kinds"] = report.kinds ? KindsAsJson(*report.kinds) : Json(nullptr);
   json["cameras"] = report.cameras ? CamerasAsJson(*report.cameras) : Json(nullptr);
   json["faces"] = report.faces ? FacesAsJson(*report.faces) : Json(nullptr);
-  json["hss"] = report.hss ? HssAsJson(*report.hss) : Json(nullptr);
   out << json.dump(2) << '\n';
 }
 

@@ -16,7 +16,8 @@ void PrintReport(const EvaluationReport& report, std::ostream& out);
 // one row of wireframes; absent shares are empty cells.
 void WriteReportCsv(const EvaluationReport& report, std::ostream& out);
 
-// An object with `rows`, the counts, `cameras`, `faces` and `hss`; what is absent is null.
+// An object with `rows`, the counts, `cameras` and `faces`; what is absent is null. Of wireframes
+// it has `unit` and `hss` alone.
 void WriteReportJson(const EvaluationReport& report, std::ostream& out);
 
 }  // namespace limn

