@@ -20,7 +20,8 @@ void PrintHss(const HssScores& scores, std::ostream& out) {
       << scores.num_true_corners << "; edges " << scores.num_edges << ", true "
       << scores.num_true_edges << "; volume " << Cell(scores.edges.first, kDigits) << " m3, true "
       << Cell(scores.edges.second, kDigits) << ", common " << Cell(scores.edges.common, kDigits)
-      << " (IoU to " << Cell(100 * scores.edges.share_change, 1) << " %)\n";
+      << " (denser lines changed the IoU by " << Cell(100 * scores.edges.share_change, 1)
+      << " %)\n";
 }
 
 nlohmann::ordered_json HssAsJson(const HssScores& scores) {

@@ -12,8 +12,7 @@ namespace limn {
 struct VolumeOverlap {
   // Of the first union, the second one and what is in both; in the unit of the solids, cubed.
   double first = 0, second = 0, common = 0;
-  // By how much the share changed when the lines were last made twice as dense in both directions;
-  // the error of the share is less in all that was tried (algorithm/evaluation.md#hss).
+  // By how much the share changed when the lines were last made twice as dense in both directions.
   double share_change = 0;
 
   // Intersection over union; 0 if both are empty.

@@ -324,7 +324,9 @@ TEST(ReportWriters, WireframesAreAllThatIsToldOfThem) {
   EXPECT_THAT(table.str(),
               HasSubstr("    8        50.0        80.0        61.5        33.3        43.2"));
   EXPECT_THAT(table.str(), HasSubstr("corners right 4 of 8, true 5;"));
-  EXPECT_THAT(table.str(), HasSubstr("volume 2 m3, true 3, common 1.25 (IoU to 0.005 %)"));
+  EXPECT_THAT(
+      table.str(),
+      HasSubstr("volume 2 m3, true 3, common 1.25 (denser lines changed the IoU by 0.005 %)"));
   EXPECT_THAT(table.str(), Not(HasSubstr("links")));
   WriteReportCsv(report, csv);
   EXPECT_THAT(csv.str(), ::testing::StartsWith("corner_f1,edge_iou,hss,"));
