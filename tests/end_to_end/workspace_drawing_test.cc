@@ -234,7 +234,7 @@ TEST_F(WorkspaceDrawing, GoesToColmapAsPoints) {
   EXPECT_GT(model.points.size(), before.points.size() + 20);
   // COLMAP's viewers show points of three or more images.
   for (size_t p = before.points.size(); p < model.points.size(); ++p) {
-    ASSERT_EQ(model.points[p].track.size(), drawing_.graph.links[0].supporting_views.size());
+    ASSERT_GE(model.points[p].track.size(), 3u);
   }
   ASSERT_EQ(run("dotted", {"--point_spacing_px", "20"}).exit_code, 0);
   EXPECT_LT(colmap_ext::ReadColmapModel(dir_ / "dotted").points.size() - before.points.size(),
