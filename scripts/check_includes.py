@@ -48,8 +48,8 @@ DOORS = {
 
 # Headers of POSIX, Linux and signals. What other systems need instead is a matter of these folders (see Porting in
 # colmap_ext/docs/developing.md), and of their sources only: anybody may include their headers.
-POSIX = ("aio.h", "arpa/", "csignal", "dirent.h", "dlfcn.h", "fcntl.h", "fnmatch.h", "ftw.h", "glob.h", "grp.h",
-         "libgen.h", "linux/", "netdb.h", "netinet/", "poll.h", "pthread.h", "pwd.h", "sched.h", "semaphore.h", "signal.h",
+POSIX = ("aio.h", "arpa/", "csignal", "dirent.h", "dlfcn.h", "err.h", "execinfo.h", "fcntl.h", "fnmatch.h", "ftw.h",
+         "getopt.h", "glob.h", "grp.h", "iconv.h", "langinfo.h", "libgen.h", "mqueue.h", "net/", "regex.h", "linux/", "netdb.h", "netinet/", "poll.h", "pthread.h", "pwd.h", "sched.h", "semaphore.h", "signal.h",
          "spawn.h", "strings.h", "sys/", "syslog.h", "termios.h", "ucontext.h", "unistd.h", "utime.h", "wordexp.h")
 POSIX_FOLDERS = ["src/limn/files/", "colmap_ext/host/"]
 

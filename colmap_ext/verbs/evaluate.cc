@@ -403,6 +403,9 @@ void EvaluatorOptions::Check() const {
   if (!layout.workspace_path.empty()) layout.Check();
   CheckInputs(*this);
   if (protocol == Protocol::kHss) CheckHssInputs(*this);
+  if (protocol != Protocol::kHss && !hss.IsDefault()) {
+    throw OptionError("scale, Hss and Wireframe: only by protocol = hss");
+  }
 }
 
 LinkSelection EvaluatorOptions::Selection() const {

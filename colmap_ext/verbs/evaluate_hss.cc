@@ -1,11 +1,13 @@
 #include "colmap_ext/verbs/evaluate_hss.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "colmap_ext/host/run_options.h"
 #include "colmap_ext/options/option_group.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
+#include "colmap_ext/verbs/selection_options.h"
 #include "limn/files/whole_file.h"
 #include "limn/formats/read_curves.h"
 #include "limn/formats/wireframe_files.h"
@@ -27,7 +29,9 @@ struct WireframeSource {
   }
 };
 
-std::vector<Polyline3d> SelectedCurves(DrawingGraph graph, const HssFiles& files) {
+std::vector<Polyline3d> SelectedCurves(DrawingGraph graph, const HssFiles& files,
+                                       Console* console) {
+  WarnOfUnknownCurves(graph, files.selection.detail, console);
   graph.faces.clear();  // they do not depend on which links are chosen
   return ToCurveSet(Selected(std::move(graph), files.selection)).polylines;
 }
@@ -39,8 +43,9 @@ std::vector<Polyline3d> CurvesOnly(CurveSet set, const std::string& path) {
   return std::move(set.polylines);
 }
 
-WireframeSource ReadJudgedSource(const DrawingGraph* drawing, const HssFiles& files) {
-  if (drawing) return {std::nullopt, SelectedCurves(*drawing, files), files.alignment};
+WireframeSource ReadJudgedSource(const DrawingGraph* drawing, const HssFiles& files,
+                                 Console* console) {
+  if (drawing) return {std::nullopt, SelectedCurves(*drawing, files, console), files.alignment};
   if (auto wireframe = ReadWireframe(files.input_path)) return {std::move(wireframe), {}, {}};
   const bool is_drawing =
       FileExtension(files.input_path) == ".json" || HoldsLimapDrawing(files.input_path);
@@ -48,7 +53,8 @@ WireframeSource ReadJudgedSource(const DrawingGraph* drawing, const HssFiles& fi
     return {std::nullopt, CurvesOnly(ReadCurves(files.input_path), files.input_path), {}};
   }
   DrawingFile file = ReadDrawing(files.input_path);
-  return {std::nullopt, SelectedCurves(std::move(file.graph), files), file.metadata.alignment};
+  return {std::nullopt, SelectedCurves(std::move(file.graph), files, console),
+          file.metadata.alignment};
 }
 
 WireframeSource ReadTrueSource(const HssFiles& files) {
@@ -79,6 +85,23 @@ double MetersPerUnit(const WireframeSource& judged, const WireframeSource& truth
   return 1;
 }
 
+// A file that tells its unit needs no other scale than what is asked for.
+double ScaleOf(const WireframeSource& source, double scale, const HssInput& input) {
+  const bool knows_unit = source.wireframe && source.wireframe->unit != LengthUnit::kNone;
+  return knows_unit && input.scale == 0 ? Millimeters(source.wireframe->unit) / 1000 : scale;
+}
+
+// The same for both, so that they are equally coarse, and not so coarse that right corners move
+// too far.
+double ToleranceFor(const WireframeSource& judged, const WireframeSource& truth, double scale,
+                    const HssInput& input) {
+  if (input.wireframe.tolerance > 0) return input.wireframe.tolerance;
+  const std::vector<Polyline3d>& curves = truth.wireframe ? judged.curves : truth.curves;
+  constexpr double kShareOfCornerDistance = 0.3;
+  return std::min(scale * DefaultWireframeTolerance(curves),
+                  kShareOfCornerDistance * input.hss.corner_distance);
+}
+
 Wireframe ToMeters(WireframeSource source, double scale, const WireframeOptions& options,
                    const std::string& what, Console* console) {
   if (source.wireframe) {
@@ -88,13 +111,11 @@ Wireframe ToMeters(WireframeSource source, double scale, const WireframeOptions&
   for (Polyline3d& line : source.curves) {
     for (Eigen::Vector3d& point : line) point *= scale;
   }
-  WireframeOptions of_source = options;
-  if (of_source.tolerance == 0) of_source.tolerance = DefaultWireframeTolerance(source.curves);
-  Wireframe wireframe = ReduceToWireframe(source.curves, of_source);
+  Wireframe wireframe = ReduceToWireframe(source.curves, options);
   console->Say(what + ": " + std::to_string(source.curves.size()) + " curves reduced to " +
                std::to_string(wireframe.vertices.size()) + " corners and " +
                std::to_string(wireframe.edges.size()) + " edges, tolerance " +
-               ShortNumber(of_source.tolerance) + " m (--Wireframe.tolerance)");
+               ShortNumber(options.tolerance) + " m (--Wireframe.tolerance)");
   return wireframe;
 }
 
@@ -114,19 +135,29 @@ void HssInput::Check() const {
   CheckGroup("Wireframe", wireframe);
 }
 
+bool HssInput::IsDefault() const {
+  const HssOptions by_default;
+  return scale == 0 && wireframe.tolerance == 0 &&
+         hss.corner_distance == by_default.corner_distance &&
+         hss.edge_radius == by_default.edge_radius && hss.edge_shape == by_default.edge_shape &&
+         hss.max_change == by_default.max_change;
+}
+
 HssScores JudgeWireframe(const DrawingGraph* drawing, const HssFiles& files, const HssInput& input,
                          Console* console) {
-  WireframeSource judged = ReadJudgedSource(drawing, files);
+  WireframeSource judged = ReadJudgedSource(drawing, files, console);
   WireframeSource truth = ReadTrueSource(files);
   const double scale = MetersPerUnit(judged, truth, input, console);
   HssOptions options = input.hss;
   if (const auto box = BoxFromNumbers(files.box)) {
     options.region = Eigen::AlignedBox3d(scale * box->min(), scale * box->max());
   }
+  const WireframeOptions reduce = {ToleranceFor(judged, truth, scale, input)};
+  const double judged_scale = ScaleOf(judged, scale, input);
+  const double true_scale = ScaleOf(truth, scale, input);
   const Wireframe wireframe =
-      ToMeters(std::move(judged), scale, input.wireframe, "wireframe", console);
-  const Wireframe true_wireframe =
-      ToMeters(std::move(truth), scale, input.wireframe, "truth", console);
+      ToMeters(std::move(judged), judged_scale, reduce, "wireframe", console);
+  const Wireframe true_wireframe = ToMeters(std::move(truth), true_scale, reduce, "truth", console);
   return ScoreHss(wireframe, true_wireframe, options, console->context());
 }
 

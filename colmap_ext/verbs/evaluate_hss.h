@@ -24,6 +24,7 @@ struct HssInput {
   void AddOptions(OptionParser* parser);
   // Throws OptionError.
   void Check() const;
+  bool IsDefault() const;
 };
 
 // What is judged, and by what. All is in the same coordinates.
@@ -38,8 +39,9 @@ struct HssFiles {
 };
 
 // The scores of a drawing in memory or, if that is null, of the input file. Files of wireframes
-// (ReadWireframe) are taken as they are; drawings and other curves are reduced to wireframes, in
-// meters. Says how, and warns if nothing tells the scale. Throws IoError and InputError.
+// (ReadWireframe) are taken as they are, in the unit that they tell; drawings and other curves are
+// reduced to wireframes, in meters. Says how, and warns if nothing tells the scale. Throws IoError
+// and InputError.
 HssScores JudgeWireframe(const DrawingGraph* drawing, const HssFiles& files, const HssInput& input,
                          Console* console);
 

@@ -45,7 +45,7 @@ cmake -S tiff -B "$folder/build/tiff" "${common[@]}" -Djbig=OFF -Dtiff-tools=OFF
 cmake --build "$folder/build/tiff" --target install
 # Sparse systems are solved by Eigen, and none by Schur complements.
 cmake -S ceres -B "$folder/build/ceres" "${common[@]}" -DBUILD_EXAMPLES=OFF -DBUILD_TESTING=OFF -DBUILD_BENCHMARKS=OFF \
-  -DSUITESPARSE=OFF -DCXSPARSE=OFF -DLAPACK=OFF -DEIGENSPARSE=ON -DSCHUR_SPECIALIZATIONS=OFF
+  -DCUDA=OFF -DUSE_CUDA=OFF -DSUITESPARSE=OFF -DCXSPARSE=OFF -DLAPACK=OFF -DEIGENSPARSE=ON -DSCHUR_SPECIALIZATIONS=OFF
 cmake --build "$folder/build/ceres" --target install
 rm -rf "$folder/sources" "$folder/build" "$folder/apt"
 touch "$folder/done"

@@ -1,5 +1,6 @@
 #include "limn/evaluation/hss.h"
 
+#include <algorithm>
 #include <string>
 
 #include "limn/geometry/assignment.h"
@@ -7,6 +8,10 @@
 
 namespace limn {
 namespace {
+
+constexpr double kMaxCoordinate = 1e15;
+// Of AssignPoints: some minutes.
+constexpr double kMaxAssignmentSteps = 2e12;
 
 double HarmonicMean(double a, double b) { return a + b > 0 ? 2 * a * b / (a + b) : 0; }
 
@@ -16,7 +21,10 @@ double ShareOfCount(int part, int whole) {
 
 void CheckWireframe(const Wireframe& wireframe, const char* name) {
   for (const Eigen::Vector3d& vertex : wireframe.vertices) {
-    if (!vertex.allFinite()) throw InputError(std::string(name) + ": a corner is not finite");
+    if (!(vertex.cwiseAbs().maxCoeff() <= kMaxCoordinate)) {
+      throw InputError(std::string(name) +
+                       ": a coordinate of a corner is not finite or beyond 1e15");
+    }
   }
   const int count = static_cast<int>(wireframe.vertices.size());
   for (const auto& [a, b] : wireframe.edges) {
@@ -47,6 +55,13 @@ std::vector<EdgeSolid> SolidsIn(const Wireframe& wireframe, const HssOptions& op
 int CountRight(const std::vector<Eigen::Vector3d>& corners,
                const std::vector<Eigen::Vector3d>& truth, double max_distance,
                const RunContext& context) {
+  const auto [smaller, larger] = std::minmax<double>(corners.size(), truth.size());
+  if (smaller * smaller * larger > kMaxAssignmentSteps) {
+    throw InputError(std::to_string(corners.size()) + " corners are too many to assign " +
+                     std::to_string(truth.size()) +
+                     " true ones: reduce with a larger tolerance (--Wireframe.tolerance), or judge "
+                     "a part (--box)");
+  }
   const std::vector<int> target_of = AssignPoints(corners, truth, context);
   int num_right = 0;
   for (size_t i = 0; i < corners.size(); ++i) {

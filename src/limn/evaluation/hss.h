@@ -31,8 +31,8 @@ struct HssOptions {
           "what edges are thickened to: round cylinders, or the prisms that hoho2025's program "
           "makes, to compare with its figures");
     visit("max_change", self.max_change, Between(1e-6, 0.1),
-          "how exactly the overlap of the edges is measured: it is, when twice as many lines "
-          "change it by less");
+          "how exactly the overlap of the edges is measured: it is, when lines twice "
+          "as dense change it by less");
   }
   // Throws OptionError.
   void Check() const { CheckFields(*this); }
@@ -53,9 +53,10 @@ struct HssScores {
 // meters. All corners count, also those of no edge, and copies each. Corners are assigned one to
 // one so that the sum of distances is smallest, near or not, and are right if that distance is at
 // most corner_distance. Nothing drawn, or no truth, scores 0, both together, too.
-// Throws OptionError, InputError if a corner is not finite, an index of an edge is none of a corner
-// or edges are too long for their radius (MeasureOverlap), and Cancelled. Time: AssignPoints and
-// MeasureOverlap.
+// Throws OptionError, InputError if a coordinate of a corner is not finite or beyond 1e15, there
+// are too many corners (s^2 l > 2e12 for s and l, the smaller and the larger number), an index of
+// an edge is none of a corner or edges are too long for their radius (MeasureOverlap), and
+// Cancelled. Time: AssignPoints and MeasureOverlap.
 HssScores ScoreHss(const Wireframe& drawn, const Wireframe& truth, const HssOptions& options = {},
                    const RunContext& context = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <tuple>
 
 #include <Eigen/Geometry>
@@ -15,6 +16,7 @@ namespace {
 constexpr double kFirstLinesPerRadius = 8;
 constexpr double kMaxFirstChords = 1e8;
 constexpr double kMaxChords = 4e8;
+constexpr double kMaxLinesAcross = 1e14;
 
 // Unlike any direction that buildings prefer: none of its angles with the axes, or of theirs in
 // the horizontal plane, is a multiple of a simple share of a right angle.
@@ -34,8 +36,8 @@ struct SolidOfUnion {
 struct LineGrid {
   double spacing = 0;
 
-  int FirstFrom(double at) const { return static_cast<int>(std::ceil(at / spacing - 0.5)); }
-  double Middle(int line) const { return (line + 0.5) * spacing; }
+  int64_t FirstFrom(double at) const { return static_cast<int64_t>(std::ceil(at / spacing - 0.5)); }
+  double Middle(int64_t line) const { return (static_cast<double>(line) + 0.5) * spacing; }
 };
 
 // The x between which a solid may be on a row, by the strip within its radius of the edge as seen
@@ -73,7 +75,7 @@ double MaxChords(const std::vector<SolidOfUnion>& solids, double spacing) {
 }
 
 struct Chord {
-  int line = 0;
+  int64_t line = 0;
   int of_union = 0;
   double from = 0, to = 0;
 
@@ -127,7 +129,7 @@ OverlapSums SumsOfRow(std::vector<Chord>* chords) {
   OverlapSums sums;
   const Chord* const end = chords->data() + chords->size();
   for (const Chord* begin = chords->data(); begin != end;) {
-    const int line = begin->line;
+    const int64_t line = begin->line;
     const Chord* const middle =
         std::find_if(begin, end, [&](const Chord& c) { return c.line != line || c.of_union == 1; });
     const Chord* const next =
@@ -142,30 +144,50 @@ OverlapSums SumsOfRow(std::vector<Chord>* chords) {
 void AddChords(const SolidOfUnion& member, const LineGrid& grid, double y,
                std::vector<Chord>* chords) {
   const auto [left, right] = ReachOnRow(member.solid, y);
-  for (int line = grid.FirstFrom(left); grid.Middle(line) <= right; ++line) {
+  for (int64_t line = grid.FirstFrom(left); grid.Middle(line) <= right; ++line) {
     const auto chord = ChordAlongZ(member.solid, grid.Middle(line), y);
     if (chord) chords->push_back({line, member.of_union, chord->first, chord->second});
   }
 }
 
+// A solid on a row.
+struct RowMember {
+  int64_t row = 0;
+  int solid = 0;
+
+  auto Key() const { return std::pair(row, solid); }
+};
+
+// By row. Only rows with solids: these may be far apart.
+std::vector<RowMember> MembersOfRows(const std::vector<SolidOfUnion>& solids,
+                                     const LineGrid& grid) {
+  std::vector<RowMember> members;
+  for (size_t s = 0; s < solids.size(); ++s) {
+    const auto [low, high] = RowsOf(solids[s].solid);
+    for (int64_t row = grid.FirstFrom(low); grid.Middle(row) <= high; ++row) {
+      members.push_back({row, static_cast<int>(s)});
+    }
+  }
+  std::ranges::sort(members, {}, &RowMember::Key);
+  return members;
+}
+
 VolumeOverlap MeasureAt(const std::vector<SolidOfUnion>& solids, double spacing,
                         const RunContext& context) {
   const LineGrid grid{spacing};
-  std::vector<std::vector<int>> solids_of_row;
-  for (size_t s = 0; s < solids.size(); ++s) {
-    const auto [low, high] = RowsOf(solids[s].solid);
-    for (int row = std::max(0, grid.FirstFrom(low)); grid.Middle(row) <= high; ++row) {
-      if (row >= static_cast<int>(solids_of_row.size())) solids_of_row.resize(row + 1);
-      solids_of_row[row].push_back(static_cast<int>(s));
-    }
+  const std::vector<RowMember> members = MembersOfRows(solids, grid);
+  std::vector<size_t> begins;
+  for (size_t i = 0; i < members.size(); ++i) {
+    if (i == 0 || members[i].row != members[i - 1].row) begins.push_back(i);
   }
-  std::vector<OverlapSums> sums(solids_of_row.size());
-  ParallelFor(context, "measuring the overlap of edges", sums.size(), [&](size_t row) {
+  std::vector<OverlapSums> sums(begins.size());
+  ParallelFor(context, "measuring the overlap of edges", sums.size(), [&](size_t r) {
     thread_local std::vector<Chord> chords;
     chords.clear();
-    const double y = grid.Middle(static_cast<int>(row));
-    for (const int s : solids_of_row[row]) AddChords(solids[s], grid, y, &chords);
-    sums[row] = SumsOfRow(&chords);
+    const double y = grid.Middle(members[begins[r]].row);
+    const size_t end = r + 1 < begins.size() ? begins[r + 1] : members.size();
+    for (size_t i = begins[r]; i < end; ++i) AddChords(solids[members[i].solid], grid, y, &chords);
+    sums[r] = SumsOfRow(&chords);
   });
   OverlapSums all;
   for (const OverlapSums& row : sums) all.Add(row);
@@ -196,6 +218,14 @@ std::vector<SolidOfUnion> InLines(const std::vector<EdgeSolid>& first,
   return solids;
 }
 
+double SizeOf(const std::vector<SolidOfUnion>& solids) {
+  double size = 0;
+  for (const auto& [solid, of_union] : solids) {
+    size = std::max({size, solid.start.cwiseAbs().maxCoeff(), solid.end.cwiseAbs().maxCoeff()});
+  }
+  return size;
+}
+
 }  // namespace
 
 double VolumeOverlap::Share() const {
@@ -214,6 +244,11 @@ VolumeOverlap MeasureOverlap(const std::vector<EdgeSolid>& first,
     length += (solid.end - solid.start).norm();
   }
   double spacing = radius / kFirstLinesPerRadius;
+  // Numbers of lines are exact far below 2^53.
+  if (SizeOf(solids) > kMaxLinesAcross * spacing) {
+    throw InputError("edges are too far apart for a radius of " + ShortNumber(radius) +
+                     ": is the scale right?");
+  }
   if (MaxChords(solids, spacing) > kMaxFirstChords) {
     throw InputError("edges of " + ShortNumber(length) + " in all are too long for a radius of " +
                      ShortNumber(radius) + ": is the scale right?");

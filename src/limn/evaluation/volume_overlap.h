@@ -24,9 +24,9 @@ struct VolumeOverlap {
 // until the share changes by no more than `max_change`, or until this would take more than 4e8
 // chords; share_change tells. The result depends neither on the order of the solids nor on which
 // union is the first, nor on the number of threads, and the share of equal unions is 1. Throws
-// InputError if the solids are too long for their radius (1e8 chords at first), and Cancelled.
-// O(n log n) in the number of chords, which is that of lines through each solid; memory for a row
-// of lines per thread.
+// InputError if the solids are too long for their radius (1e8 chords at first) or too far apart
+// (1e14 lines), and Cancelled. O(n log n) in the number of chords, which is that of lines through
+// each solid; memory for the rows of each solid, and for a row of lines per thread.
 VolumeOverlap MeasureOverlap(const std::vector<EdgeSolid>& first,
                              const std::vector<EdgeSolid>& second, double max_change,
                              const RunContext& context = {});

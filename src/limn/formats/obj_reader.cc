@@ -24,7 +24,7 @@ class ObjParser {
 
   std::optional<Wireframe> Edges() {
     ParseAll();
-    if (has_polylines_) return std::nullopt;
+    if (has_others_ || soup_.edges.empty()) return std::nullopt;
     return Wireframe{std::move(soup_.vertices), std::move(soup_.edges)};
   }
 
@@ -44,10 +44,12 @@ class ObjParser {
     } else if (wants_curves_ && keyword == "l") {
       ParseLine();
     } else if (wants_curves_ && keyword == "p") {
-      has_elements_ = true;
+      has_elements_ = has_others_ = true;
       while (!scanner_->AtEndOfLine()) points_.push_back(soup_.vertices[VertexIndex()]);
     } else if (wants_faces_ && keyword == "f") {
       ParseFace();
+    } else if (keyword == "f") {
+      has_others_ = true;
     } else if (keyword == "o" || keyword == "g") {
       ++label_;
     }
@@ -59,7 +61,7 @@ class ObjParser {
     int previous = -1;
     for (int count = 1; !scanner_->AtEndOfLine(); ++count) {
       const int index = VertexIndex();
-      has_polylines_ = has_polylines_ || count > 2;
+      has_others_ = has_others_ || count > 2;
       if (previous >= 0) {
         soup_.edges.emplace_back(previous, index);
         soup_.labels.push_back(label_);
@@ -102,7 +104,7 @@ class ObjParser {
   std::vector<Eigen::Vector3d> points_;
   int label_ = 0;
   bool has_elements_ = false;
-  bool has_polylines_ = false;  // of more than two vertices
+  bool has_others_ = false;  // than vertices and lines of two: no wireframe
 };
 
 }  // namespace

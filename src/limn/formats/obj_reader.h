@@ -16,8 +16,8 @@ namespace limn {
 // dropped; else all vertices are points. Throws IoError.
 CurveSet ReadObjCurves(const std::string& path);
 
-// The v and l statements as they are, if every line has two vertices, else nothing. Other
-// statements are ignored. Throws IoError.
+// The v and l statements as they are; nothing if there is no line, one of more than two vertices, a
+// point or a face. Other statements are ignored. Throws IoError.
 std::optional<Wireframe> ReadObjWireframe(const std::string& path);
 
 // The v and f statements: vertices, and per face the indices of its corners, at least three.

@@ -2,12 +2,15 @@
 
 #include <filesystem>
 #include <ostream>
+#include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
 
 #include "limn/files/json_text.h"
 #include "limn/files/json_value.h"
+#include "limn/files/text_file.h"
 #include "limn/files/whole_file.h"
 #include "limn/formats/json_place.h"
 #include "limn/formats/obj_reader.h"
@@ -37,6 +40,17 @@ Wireframe ToWireframe(const JsonValue& value) {
                                  ToVertexIndex(ends[1], wireframe.vertices.size()));
   }
   return wireframe;
+}
+
+// By the comment of WriteWireframeObj, before the first statement.
+LengthUnit UnitOfObj(const std::string& path) {
+  constexpr std::string_view kUnit = "# unit: ";
+  std::istringstream text(ReadTextFile(path));
+  std::string line;
+  while (std::getline(text, line) && line.starts_with('#')) {
+    if (line.starts_with(kUnit)) return UnitOfName(std::string_view(line).substr(kUnit.size()));
+  }
+  return LengthUnit::kNone;
 }
 
 }  // namespace
@@ -81,7 +95,14 @@ std::optional<Wireframe> ReadJsonWireframe(const std::string& path) {
   try {
     const auto json = ParseJson(path, text);
     const JsonValue root(json);
-    if (!json.is_array()) return ToWireframe(root);
+    if (!json.is_array()) {
+      Wireframe wireframe = ToWireframe(root);
+      const auto unit = json.find("unit");
+      if (unit != json.end() && unit->is_string()) {
+        wireframe.unit = UnitOfName(unit->get<std::string>());
+      }
+      return wireframe;
+    }
     const std::vector<JsonValue> entries = root.Items();
     if (entries.size() != 1) {
       root.Fail("a list of " + std::to_string(entries.size()) +
@@ -96,7 +117,11 @@ std::optional<Wireframe> ReadJsonWireframe(const std::string& path) {
 std::optional<Wireframe> ReadWireframe(const std::string& path) {
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) return std::nullopt;
   const std::string extension = FileExtension(path);
-  if (extension == ".obj") return ReadObjWireframe(path);
+  if (extension == ".obj") {
+    auto wireframe = ReadObjWireframe(path);
+    if (wireframe) wireframe->unit = UnitOfObj(path);
+    return wireframe;
+  }
   if (extension == ".json") return ReadJsonWireframe(path);
   return std::nullopt;
 }

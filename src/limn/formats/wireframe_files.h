@@ -29,10 +29,10 @@ void WriteWireframeObj(const Wireframe& wireframe, const ObjOptions& options,
 // With "format", "unit" and "tolerance" before the two lists.
 void WriteWireframeJson(const Wireframe& wireframe, const WireframeStamp& stamp, std::ostream& out);
 
-// Reads a wireframe as it is, with corners of no edge, copies, and edges of no length. Nothing if
-// the file, of any format of curves, is none: an OBJ file with a line of more than two vertices,
-// a JSON file without "wf_vertices", another extension. Any file may be packed (.gz). Throws
-// IoError.
+// Reads a wireframe as it is, with its unit if the file tells it as above, with corners of no edge,
+// copies, and edges of no length. Nothing if the file, of any format of curves, is none: an OBJ
+// file without lines, or with one of more than two vertices, points or faces; a JSON file without
+// "wf_vertices", another extension. Any file may be packed (.gz). Throws IoError.
 std::optional<Wireframe> ReadWireframe(const std::string& path);
 
 // The same of a JSON file, whatever its extension.

@@ -45,6 +45,7 @@ class RowAssigner {
 
   void TakeIn(int new_row) {
     std::ranges::fill(reach_, std::numeric_limits<double>::infinity());
+    std::ranges::fill(came_from_, -1);
     std::ranges::fill(is_done_, 0);
     int row = new_row, last = -1;
     double reached = 0;

@@ -185,6 +185,7 @@ double DefaultWireframeTolerance(const std::vector<Polyline3d>& polylines) {
   for (const Polyline3d& line : polylines) {
     for (size_t i = 1; i < line.size(); ++i) {
       const double length = (line[i] - line[i - 1]).norm();
+      if (!std::isfinite(length)) continue;  // ReduceToWireframe refuses it
       for (int axis = 0; axis < 3; ++axis) {
         // Half of a segment at either end.
         places[axis].push_back({line[i - 1][axis], length / 2});

@@ -38,11 +38,11 @@ double DefaultWireframeTolerance(const std::vector<Polyline3d>& polylines);
 // 3. Chains become chords again, as in 1: collinear edges become one. What is equal is dropped.
 // So corners are more than the tolerance apart, edges longer than that, no two edges have the same
 // corners, and every point of the polylines is within 2 tolerances of the wireframe; but what is
-// smaller than the tolerance and meets nothing else vanishes. An edge that only passes a corner is
-// not cut there. Corners and edges are in the order of coordinates: the result depends neither on
-// the order nor the directions of the polylines, nor on where they are cut.
-// Throws OptionError, or InputError if a point is not finite. O(n log n), quadratic at worst, as
-// Simplified.
+// within the tolerance of one corner, so up to 2 tolerances across, and meets nothing else
+// vanishes. An edge that only passes a corner is not cut there. Corners and edges are in the order
+// of coordinates: the result depends neither on the order nor the directions of the polylines, nor
+// on where they are cut. Throws OptionError, or InputError if a point is not finite. O(n log n),
+// quadratic at worst, as Simplified.
 Wireframe ReduceToWireframe(const std::vector<Polyline3d>& polylines,
                             const WireframeOptions& options = {});
 

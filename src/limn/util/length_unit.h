@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 namespace limn {
 
 // A unit of lengths. Models themselves have none.
@@ -9,6 +11,15 @@ enum class LengthUnit { kNone, kMillimeter, kCentimeter, kMeter, kInch, kFoot };
 inline const char* UnitName(LengthUnit unit) {
   constexpr const char* kNames[] = {"", "mm", "cm", "m", "in", "ft"};
   return kNames[static_cast<int>(unit)];
+}
+
+// kNone for another name.
+inline LengthUnit UnitOfName(std::string_view name) {
+  for (const LengthUnit unit : {LengthUnit::kMillimeter, LengthUnit::kCentimeter,
+                                LengthUnit::kMeter, LengthUnit::kInch, LengthUnit::kFoot}) {
+    if (name == UnitName(unit)) return unit;
+  }
+  return LengthUnit::kNone;
 }
 
 // 1 for kNone.

@@ -311,7 +311,9 @@ class Drawings(unittest.TestCase):
         of_file = limn.evaluate(path, truth, taus=0.02)
         self.assertEqual(of_file, json.loads(table.read_text()))
         scores = limn.evaluate(self.drawing, truth, protocol="hss", scale=10)["hss"]
-        self.assertTrue(0 < scores["hss"] <= scores["corner_f1"] + scores["edge_iou"])
+        corners, edges = scores["corner_f1"], scores["edge_iou"]
+        self.assertGreater(scores["hss"], 0)
+        self.assertAlmostEqual(scores["hss"], 2 * corners * edges / (corners + edges), 12)
 
     def test_align(self):
         line = next(link for link in self.drawing.links if link.primitive and link.primitive.type == "line")

@@ -195,5 +195,20 @@ TEST(VolumeOverlap, RefusesEdgesThatAreTooLongForTheirRadius) {
               ThrowsMessage<InputError>(HasSubstr("is the scale right?")));
 }
 
+// Neither time nor memory for what is between.
+TEST(VolumeOverlap, EdgesMayBeFarApart) {
+  const Wireframe near{{{0, 0, 0}, {10, 0, 0}}, {{0, 1}}};
+  Wireframe far = near;
+  for (Eigen::Vector3d& vertex : far.vertices) vertex += Eigen::Vector3d(5e6, 5e6, 0);
+  const VolumeOverlap overlap = MeasureOverlap(ThickenEdges(near, EdgeShape::kCylinder, 0.5),
+                                               ThickenEdges(far, EdgeShape::kCylinder, 0.5), 1e-4);
+  EXPECT_EQ(overlap.Share(), 0);
+  EXPECT_NEAR(overlap.first, overlap.second, 1e-2 * overlap.first);
+  for (Eigen::Vector3d& vertex : far.vertices) vertex *= 1e12;
+  EXPECT_THROW(MeasureOverlap(ThickenEdges(near, EdgeShape::kCylinder, 0.5),
+                              ThickenEdges(far, EdgeShape::kCylinder, 0.5), 1e-4),
+               InputError);
+}
+
 }  // namespace
 }  // namespace limn

@@ -1,5 +1,6 @@
 #include "limn/formats/wireframe_files.h"
 
+#include <fstream>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -135,6 +136,34 @@ TEST(WireframeFiles, HaveTwoExtensions) {
   EXPECT_EQ(DrawingFormatOf("w.OBJ", options), "wireframe");
   EXPECT_THAT([&] { DrawingFormatOf("w.dxf", options); },
               ThrowsMessage<IoError>(HasSubstr("w.dxf: wireframes are written as .obj or .json")));
+}
+
+TEST(WireframeFiles, OthersOfTheirExtensionAreNone) {
+  const TemporaryFolder folder;
+  const auto is_one = [&](const std::string& text) {
+    std::ofstream(folder.Path("a.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\n" << text;
+    return ReadWireframe(folder.Path("a.obj")).has_value();
+  };
+  EXPECT_TRUE(is_one("l 1 2\n"));
+  EXPECT_FALSE(is_one(""));                  // points
+  EXPECT_FALSE(is_one("l 1 2\nf 1 2 3\n"));  // a drawing with faces
+  EXPECT_FALSE(is_one("l 1 2\np 3\n"));
+  EXPECT_FALSE(is_one("l 1 2 3\n"));
+}
+
+TEST(WireframeFiles, TheUnitIsRead) {
+  const TemporaryFolder folder;
+  const Wireframe wireframe{{{0, 0, 0}, {1, 0, 0}}, {{0, 1}}};
+  for (const LengthUnit unit : {LengthUnit::kNone, LengthUnit::kMillimeter, LengthUnit::kFoot}) {
+    std::ofstream obj(folder.Path("a.obj"));
+    WriteWireframeObj(wireframe, {}, {unit, 0.1}, obj);
+    obj.close();
+    EXPECT_EQ(ReadWireframe(folder.Path("a.obj"))->unit, unit);
+    std::ofstream json(folder.Path("a.json"));
+    WriteWireframeJson(wireframe, {unit, 0.1}, json);
+    json.close();
+    EXPECT_EQ(ReadWireframe(folder.Path("a.json"))->unit, unit);
+  }
 }
 
 }  // namespace

@@ -112,5 +112,11 @@ TEST(AssignPoints, CanBeCancelled) {
   EXPECT_THROW(AssignPoints(PointsAlongX({1}), PointsAlongX({1}), context), Cancelled);
 }
 
+// Their distances are not finite: any assignment, but one.
+TEST(AssignPoints, EndsForPlacesThatAreTooFarAway) {
+  EXPECT_THAT(AssignPoints(PointsAlongX({1e200}), PointsAlongX({0})), ElementsAre(0));
+  EXPECT_EQ(AssignPoints(PointsAlongX({1e200, 0}), PointsAlongX({0, -1e200})).size(), 2u);
+}
+
 }  // namespace
 }  // namespace limn

@@ -251,7 +251,8 @@ TEST_F(DrawingStep, NothingIsNoStepFile) {
 }
 
 TEST_F(DrawingStep, NeedsItsWriter) {
-  EXPECT_THROW(WriteDrawing(folder_.Path("a.step"), PrimitiveDrawing(), {{"a", "b"}, "{}"}), IoError);
+  EXPECT_THROW(WriteDrawing(folder_.Path("a.step"), PrimitiveDrawing(), {{"a", "b"}, "{}"}),
+               IoError);
   EXPECT_FALSE(std::filesystem::exists(folder_.Path("a.step")));
 }
 
