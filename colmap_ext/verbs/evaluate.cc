@@ -313,6 +313,7 @@ EvaluationReport JudgeHss(const DrawingGraph* drawing, const EvaluatorOptions& o
   files.truth_path = options.truth.truth_path;
   files.truth_edges_path = options.truth.truth_edges_path;
   files.selection = options.Selection();
+  files.detail = options.selection.detail;
   files.box = options.box;
   files.alignment = options.alignment;
   EvaluationReport report;

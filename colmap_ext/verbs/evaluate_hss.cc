@@ -31,7 +31,7 @@ struct WireframeSource {
 
 std::vector<Polyline3d> SelectedCurves(DrawingGraph graph, const HssFiles& files,
                                        Console* console) {
-  WarnOfUnknownCurves(graph, files.selection.detail, console);
+  WarnOfUnknownCurves(graph, files.detail, console);
   graph.faces.clear();  // they do not depend on which links are chosen
   return ToCurveSet(Selected(std::move(graph), files.selection)).polylines;
 }

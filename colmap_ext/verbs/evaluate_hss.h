@@ -6,6 +6,7 @@
 
 #include "colmap_ext/host/console.h"
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/verbs/selection_options.h"
 #include "limn/evaluation/hss.h"
 #include "limn/model/alignment.h"
 #include "limn/model/drawing_graph.h"
@@ -31,7 +32,8 @@ struct HssInput {
 struct HssFiles {
   std::string input_path;
   std::string truth_path, truth_edges_path;
-  LinkSelection selection;  // of a drawing
+  LinkSelection selection;  // of a drawing, by these details of it
+  Detail detail = Detail::kAll;
   // x0, x1, y0, y1, z0, z1; empty: everything.
   std::vector<double> box;
   // Of a drawing in memory, if it has one.
