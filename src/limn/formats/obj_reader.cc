@@ -22,9 +22,9 @@ class ObjParser {
     return set;
   }
 
-  std::optional<Wireframe> Edges() {
+  std::optional<Wireframe> Edges(bool may_lack_edges) {
     ParseAll();
-    if (has_others_ || soup_.edges.empty()) return std::nullopt;
+    if (has_others_ || (soup_.edges.empty() && !may_lack_edges)) return std::nullopt;
     return Wireframe{std::move(soup_.vertices), std::move(soup_.edges)};
   }
 
@@ -115,10 +115,10 @@ CurveSet ReadObjCurves(const std::string& path) {
   return ObjParser(&scanner, /*curves=*/true, /*faces=*/false).Curves();
 }
 
-std::optional<Wireframe> ReadObjWireframe(const std::string& path) {
+std::optional<Wireframe> ReadObjWireframe(const std::string& path, bool may_lack_edges) {
   const std::string text = ReadTextFile(path);
   TextScanner scanner(path, text);
-  return ObjParser(&scanner, /*curves=*/true, /*faces=*/false).Edges();
+  return ObjParser(&scanner, /*curves=*/true, /*faces=*/false).Edges(may_lack_edges);
 }
 
 FaceSoup ReadObjFaces(const std::string& path) {

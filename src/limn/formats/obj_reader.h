@@ -16,9 +16,9 @@ namespace limn {
 // dropped; else all vertices are points. Throws IoError.
 CurveSet ReadObjCurves(const std::string& path);
 
-// The v and l statements as they are; nothing if there is no line, one of more than two vertices, a
-// point or a face. Other statements are ignored. Throws IoError.
-std::optional<Wireframe> ReadObjWireframe(const std::string& path);
+// The v and l statements as they are; nothing if there is no line (unless there may be none), one
+// of more than two vertices, a point or a face. Other statements are ignored. Throws IoError.
+std::optional<Wireframe> ReadObjWireframe(const std::string& path, bool may_lack_edges = false);
 
 // The v and f statements: vertices, and per face the indices of its corners, at least three.
 struct FaceSoup {

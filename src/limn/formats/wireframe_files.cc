@@ -42,22 +42,31 @@ Wireframe ToWireframe(const JsonValue& value) {
   return wireframe;
 }
 
-// By the comment of WriteWireframeObj, before the first statement.
-LengthUnit UnitOfObj(const std::string& path) {
+constexpr std::string_view kObjHead = "# wireframe by limn";
+
+// What the comments say before the first statement.
+struct ObjComments {
+  bool is_ours = false;
+  LengthUnit unit = LengthUnit::kNone;
+};
+
+ObjComments ReadObjComments(const std::string& path) {
   constexpr std::string_view kUnit = "# unit: ";
+  ObjComments comments;
   std::istringstream text(ReadTextFile(path));
   std::string line;
   while (std::getline(text, line) && line.starts_with('#')) {
-    if (line.starts_with(kUnit)) return UnitOfName(std::string_view(line).substr(kUnit.size()));
+    comments.is_ours |= line == kObjHead;
+    if (line.starts_with(kUnit)) comments.unit = UnitOfName(line.substr(kUnit.size()));
   }
-  return LengthUnit::kNone;
+  return comments;
 }
 
 }  // namespace
 
 void WriteWireframeObj(const Wireframe& wireframe, const ObjOptions& options,
                        const WireframeStamp& stamp, std::ostream& out) {
-  out << "# wireframe by limn\n";
+  out << kObjHead << '\n';
   if (stamp.unit != LengthUnit::kNone) out << "# unit: " << UnitName(stamp.unit) << '\n';
   if (stamp.tolerance > 0) out << "# tolerance: " << NumberText(stamp.tolerance) << '\n';
   for (const Eigen::Vector3d& vertex : wireframe.vertices) {
@@ -118,8 +127,9 @@ std::optional<Wireframe> ReadWireframe(const std::string& path) {
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) return std::nullopt;
   const std::string extension = FileExtension(path);
   if (extension == ".obj") {
-    auto wireframe = ReadObjWireframe(path);
-    if (wireframe) wireframe->unit = UnitOfObj(path);
+    const ObjComments comments = ReadObjComments(path);
+    auto wireframe = ReadObjWireframe(path, /*may_lack_edges=*/comments.is_ours);
+    if (wireframe) wireframe->unit = comments.unit;
     return wireframe;
   }
   if (extension == ".json") return ReadJsonWireframe(path);

@@ -163,7 +163,8 @@ TEST(Hss, RefusesWireframesThatAreNone) {
       ThrowsMessage<InputError>(HasSubstr("from corner 0 to 1 of 1")));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT([&] { ScoreHss(OneEdge(), OneEdge(nan)); },
-              ThrowsMessage<InputError>(HasSubstr("true wireframe: a corner is not finite")));
+              ThrowsMessage<InputError>(
+                  HasSubstr("true wireframe: a coordinate of a corner is not finite")));
 }
 
 }  // namespace
