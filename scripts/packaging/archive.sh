@@ -50,13 +50,13 @@ Limn $version: 3D drawings from COLMAP projects
 In Python: PYTHONPATH=<this folder>/python; needs numpy.
 Man pages are in share/man, completion of bash is in share/bash-completion.
 
-Runs on Linux with $requires or newer (Debian 12 and later, Ubuntu 24.04 and later). On several
+Runs on Linux with $requires or newer; tested on Debian 12 and 13. On several
 hosts by mpirun it uses the Open MPI 4 of the system (libmpi.so.40). The folder may be moved.
 Licenses: LICENSE, and THIRD_PARTY_NOTICES.txt for the libraries in lib/limn.
 END
 
 commit_time=$(git -C "$source_dir" log -1 --format=%ct 2>/dev/null || echo 0)
 tar --sort=name --mtime="@$commit_time" --owner=0 --group=0 --numeric-owner -C "$portable" -c "$name" | gzip -9n >"$portable/$name.tar.gz"
-"$here/wheels.py" "$stage" "$portable" --commit-time "$commit_time"
+/usr/bin/python3 "$here/wheels.py" "$stage" "$portable" --commit-time "$commit_time"
 (cd "$portable" && sha256sum -- *.tar.gz *.whl >SHA256SUMS && ls -l -- *.tar.gz *.whl)
 echo "$requires"

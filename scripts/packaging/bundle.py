@@ -67,11 +67,15 @@ def closure(files, search):
 
 def redirect(file, names, run_path):
     """Makes a file use the copies, which are in `run_path` as seen from it."""
-    change = ["patchelf", "--set-rpath", run_path]
-    for name in needed(file):
-        if name in names:
-            change += ["--replace-needed", name, PREFIX + name]
-    run(*change, file)
+    before = needed(file)
+    replace = [word for name in before if name in names for word in ("--replace-needed", name, PREFIX + name)]
+    # In one call patchelf 0.14 exchanges names and run paths.
+    if replace:
+        run("patchelf", *replace, file)
+    run("patchelf", "--set-rpath", run_path, file)
+    after = [PREFIX + name if name in names else name for name in before]
+    if needed(file) != after or run("patchelf", "--print-rpath", file).strip() != run_path:
+        raise SystemExit(f"bundle.py: patchelf has not changed {file} as it was told to")
 
 
 def bundle(folder, files, search):
