@@ -21,7 +21,7 @@ double ShareOfCount(int part, int whole) {
 
 void CheckWireframe(const Wireframe& wireframe, const char* name) {
   for (const Eigen::Vector3d& vertex : wireframe.vertices) {
-    if (!(vertex.cwiseAbs().maxCoeff() <= kMaxCoordinate)) {
+    if (!(vertex.array().abs() <= kMaxCoordinate).all()) {
       throw InputError(std::string(name) +
                        ": a coordinate of a corner is not finite or beyond 1e15");
     }
