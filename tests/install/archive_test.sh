@@ -40,7 +40,7 @@ import limn
 stored = limn.read_drawing("/root/drawn/drawing.json")
 drawing = limn.draw("/root/project", image_list_path="/root/images.txt", quality="low", max_image_size=320)
 assert len(drawing.links) == len(stored.links) > 10, drawing
-drawing.save("/root/python.step", overwrite=True)
+drawing.save("/root/python.step")
 END
   in_root env PYTHONPATH=/opt/anywhere/limn/python python3 /root/draw.py
   rm "$root/usr/bin/limn"

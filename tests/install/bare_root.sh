@@ -27,8 +27,9 @@ make_root() {
   root=$2
 }
 
+# With /proc, by which programs know where they are, for the time of the command.
 in_root() {
-  timeout 600 chroot "$root" env -i "${proxies[@]}" PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"
+  timeout 600 unshare --mount sh -c 'mount -t proc proc "$1/proc" && shift && exec "$@"' in_root "$root" chroot "$root" env -i "${proxies[@]}" PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"
 }
 
 # Six images of the sample scene.
