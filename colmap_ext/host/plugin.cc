@@ -102,7 +102,7 @@ const dll::shared_library& Plugin(const PluginKind& kind, dll::load_mode::type m
 
 }  // namespace
 
-StepWriter LoadStepWriter() {
+StepFileWriter LoadStepWriter() {
   const auto& library = Plugin(kStep, dll::load_mode::rtld_now | dll::load_mode::rtld_local);
   return &library.get_alias<StepNotes(const DrawingGraph&, const StepOptions&, LengthUnit,
                                       std::ostream&)>("limn_write_step");

@@ -16,7 +16,7 @@ namespace limn::colmap_ext {
 // cannot be loaded, such as without the libraries that it uses.
 
 // WriteDrawingStep.
-StepWriter LoadStepWriter();
+StepFileWriter LoadStepWriter();
 
 // Initializes MPI.
 std::unique_ptr<MpiBackend> LoadMpi();

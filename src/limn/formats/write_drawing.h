@@ -39,7 +39,7 @@ struct DrawingFormatOptions {
   GlbOptions glb;
   StepOptions step;
   // &WriteDrawingStep; without it no STEP files are written.
-  StepWriter write_step = nullptr;
+  StepFileWriter write_step = nullptr;
   SvgPicture svg;
   WireframeOptions wireframe;
   // Of the coordinates: formats that have a unit of their own are converted to it (STEP, GLB),

@@ -22,7 +22,7 @@ struct StepNotes {
 };
 
 // WriteDrawingStep, for WriteDrawing (write_drawing.h), which does not need OpenCASCADE.
-using StepWriter = StepNotes (*)(const DrawingGraph& graph, const StepOptions& options,
+using StepFileWriter = StepNotes (*)(const DrawingGraph& graph, const StepOptions& options,
                                  LengthUnit unit, std::ostream& out);
 
 // Of the library limn::step. Writes a drawing as STEP AP214, an edge-based wireframe in millimeters
