@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The sample scene as a benchmark: a ladder of inputs that get worse, and what methods make of them.
 
-    benchmark.py inputs [--rungs blur-1,views-6]   makes the inputs: build/benchmark/<rung>/
+    benchmark.py inputs [--rungs blur-1,views-8]   makes the inputs: build/benchmark/<rung>/
     benchmark.py score <rung> <curves>             scores a PLY, OBJ or drawing.json that was made of one
     benchmark.py methods [--rungs ...]             draws them by four methods of Limn, as expected numbers: section.md
 
@@ -49,7 +49,7 @@ RUNGS = {
     "noise-5": Rung(noise=5),
     "noise-15": Rung(noise=15),
     "views-12": Rung(("--num_views", 12)),
-    "views-6": Rung(("--num_views", 6)),
+    "views-8": Rung(("--num_views", 8)),
     "scale-0.5": Rung(scale=0.5),
     "scale-2": Rung(scale=2),
 }
@@ -114,7 +114,8 @@ def draw_all(name):
             folder, cpu_seconds = drawn[options]
             _, report = score(name, folder / file)
             row = next(row for row in report["rows"] if row["tau"] == 2)
-            rows[method] = f"{100 * row['precision']:.1f} / {100 * row['recall']:.1f} / {100 * row['f']:.1f} ({cpu_seconds:.0f} s)"
+            shares = " / ".join("-" if row[key] is None else f"{100 * row[key]:.1f}" for key in ("precision", "recall", "f"))
+            rows[method] = f"{shares} ({cpu_seconds:.0f} s)"
         except CommandFailed as failure:
             rows[method] = "none: " + str(failure).splitlines()[-1]
     return rows
@@ -128,7 +129,10 @@ the run; the two methods of `scripts/paper.ini` share one. What the rungs are: [
 """
 
 
-def write_section(results):
+def write_section():
+    """Of all rungs that were drawn, in this call or before."""
+    stored = {name: OUTPUT / name / "rows.json" for name in RUNGS}
+    results = {name: json.loads(path.read_text(encoding="utf-8")) for name, path in stored.items() if path.exists()}
     version = Run([LIMN, "--version"]).output.splitlines()[0]
     lines = ["| rung | " + " | ".join(METHODS) + " |", "|---" * (len(METHODS) + 1) + "|"]
     lines += [f"| `{name}` | " + " | ".join(rows[method] for method in METHODS) + " |" for name, rows in results.items()]
@@ -155,14 +159,14 @@ def body():
     if arguments.task == "score":
         print(score(arguments.rung, arguments.curves)[0].output, end="")
         return
-    results = {}
     for name in arguments.rungs:
         folder = make_input(name)
         print(f"made {folder}", flush=True)
         if arguments.task == "methods":
-            results[name] = draw_all(name)
-            write_section(results)
-            print(f"{name}: {results[name]}", flush=True)
+            rows = draw_all(name)
+            (folder / "rows.json").write_text(json.dumps(rows), encoding="utf-8")
+            write_section()
+            print(f"{name}: {rows}", flush=True)
 
 
 main(body)

@@ -43,7 +43,7 @@ in_root limn drawing_exporter --input_path /root/drawn/drawing.json --output_pat
 if in_root sh -c 'ldconfig -p | grep -q -E "libTK|libmpi"'; then fail "the program brings OpenCASCADE or MPI"; fi
 in_root limn drawing_exporter --input_path /root/drawn/drawing.json --output_path /root/drawn/drawing.step 2>"$work/refused" &&
   fail "STEP without its plug-in"
-grep -q "limn_step.so: this part of Limn is not installed" "$work/refused" || fail "$(cat "$work/refused")"
+grep -q "has no part limn_step.so beside it: install the package limn-step" "$work/refused" || fail "$(cat "$work/refused")"
 for plugin in "$work"/packages/limn-*_amd64.deb; do
   [[ -e $plugin ]] || continue
   install_package "$(basename "$plugin")"
