@@ -118,8 +118,10 @@ std::vector<EdgeSolid> ThickenEdges(const Wireframe& wireframe, EdgeShape shape,
     solids.push_back(std::move(solid));
   }
   std::ranges::sort(solids, {}, EdgeOrder);
-  const auto copies = std::ranges::unique(solids, {}, EdgeOrder);
-  solids.erase(copies.begin(), copies.end());
+  const auto are_equal = [](const EdgeSolid& a, const EdgeSolid& b) {
+    return EdgeOrder(a) == EdgeOrder(b);
+  };
+  solids.erase(std::unique(solids.begin(), solids.end(), are_equal), solids.end());
   return solids;
 }
 

@@ -23,7 +23,7 @@ struct StepNotes {
 
 // WriteDrawingStep, for WriteDrawing (write_drawing.h), which does not need OpenCASCADE.
 using StepFileWriter = StepNotes (*)(const DrawingGraph& graph, const StepOptions& options,
-                                 LengthUnit unit, std::ostream& out);
+                                     LengthUnit unit, std::ostream& out);
 
 // Of the library limn::step. Writes a drawing as STEP AP214, an edge-based wireframe in millimeters
 // (LengthUnit::kNone is taken for these): a connected edge set "path_<i>" per path (PathsOf), which
