@@ -1,5 +1,7 @@
 # Sourced by the tests beside it: Debian roots that have nothing but apt, of the mirror of the machine's apt.
 
+source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/packaging/own_apt.sh"
+
 skip() {
   echo "SKIPPED: $*"
   exit 77
@@ -19,7 +21,7 @@ done
 # make_root <release> <folder> <folder of logs> [<packages, separated by commas>]
 make_root() {
   local mirror more=()
-  mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' 'Label: Debian' | sed -n 1p)
+  mirror=$(debian_mirror Debian)
   [[ -z ${4:-} ]] || more=(--include="$4")
   timeout 300 mmdebstrap --quiet --variant=apt --aptopt='Acquire::Retries "2"' --aptopt='Acquire::http::Timeout "30"' "${more[@]}" \
     "$1" "$2" "${mirror:-http://deb.debian.org/debian}" 2>"$3/mmdebstrap.log" ||
