@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The sample scene as a benchmark for any method that makes curves of photographs (datasets/README.md):
 #   scripts/benchmark.sh inputs                     make its inputs, build/benchmark/<rung>
 #   scripts/benchmark.sh score <rung> my.ply        score a PLY or OBJ file of curves

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Clean curves or points of a ground truth by hand in Blender (3.4 or newer), over the registered photographs.
 
   blender --python scripts/blender_clean_truth.py -- --curves truth.ply --model sparse/0 --images images \

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """COLMAP models, Blender's cameras, curves and clouds for blender_clean_truth.py. Needs Python only.
 
 A pixel of COLMAP covers [x, x + 1) and so does Blender's: a photograph fills the frame of its camera and no half

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Build COLMAP's library on Debian 12 and install it, for LIMN_WITH_COLMAP (colmap_ext/adapter):
 #
 #   scripts/build_colmap.sh [--scene-only] <prefix> <checkout or clone of colmap/colmap> [<tag>]

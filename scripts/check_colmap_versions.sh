@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Compile what links COLMAP's library (colmap_ext/adapter and its tests) with the headers of other versions of COLMAP,
 # without building these:
 #
@@ -10,7 +11,7 @@
 set -euo pipefail
 
 if (($# < 3)); then
-  sed -n '2,/^set/p' "$0" | sed '/^set/d; s/^# \?//'
+  sed -n '2,/^set/p' "$0" | sed '/^set/d; /SPDX/d; s/^# \?//'
   exit 1
 fi
 build=$(realpath "$1")

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Check that every header compiles in a file that includes nothing else.
 
     scripts/check_headers.py build/release

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Check the layer rule: a module includes lower layers and itself only, and what includes what is no loop.
 
 The layers of src/limn are those of src/README.md, the layers of colmap_ext those of

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Check that every source file says its license in its first line: check_spdx.py [--write] [folder]
 
     // SPDX-License-Identifier: BSD-3-Clause      .cc .h .js .mjs .ts
@@ -6,8 +7,9 @@
     /* SPDX-License-Identifier: BSD-3-Clause */   .css
     <!-- SPDX-License-Identifier: BSD-3-Clause --> .html
 
-in the second line after "#!", the doctype of a page or Python's coding line. With --write adds the line where it is missing. Data, documents and JSON
-have none: LICENSE holds for them. In a repository of git these are the files that it tracks.
+in the second line after "#!", the doctype of a page or Python's coding line; also in templates (.h.in). With --write
+adds the line where it is missing. Data, documents and JSON have none: LICENSE holds for them. In a repository of git
+these are the files that it tracks.
 """
 
 import argparse
@@ -31,7 +33,9 @@ SKIPPED_FOLDERS = {".git", "build", "node_modules"}
 
 def form_of(path):
     """How the tag stands in a file, or None of one that has none."""
-    return "# {}" if path.name == "CMakeLists.txt" else FORM_OF_SUFFIX.get(path.suffix)
+    if path.name == "CMakeLists.txt":
+        return "# {}"
+    return FORM_OF_SUFFIX.get(Path(path.name.removesuffix(".in")).suffix)
 
 
 def source_files(root):

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Build, then time the main job and COLMAP's feature_extractor and exhaustive_matcher (CPU) on the same images.
 #
 #   scripts/compare_colmap.sh WORKSPACE [runs]

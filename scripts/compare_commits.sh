@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds two commits (in build/compare/<commit>) and measures them alternately on this machine.
 #
 #   scripts/compare_commits.sh A B [--repeat 3] [--sets sample-day,vase]         stage_report of both

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Format all C++ sources, and the viewer's JavaScript if a build has installed prettier. With --check: change
 # nothing, fail if something would change.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Build the fuzzers of all readers (clang with libFuzzer and sanitizers: packages clang and libclang-rt-14-dev)
 # into build/fuzz and run each for some seconds:
 #   scripts/fuzz.sh [seconds per target = 60] [targets ...]

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Count the CPU instructions of a small run, which hardly depend on the machine and its load, and compare them with
 # scripts/bench/instructions.txt. Fails if they differ by more than 5 %: after a change that is meant to cost or save
 # that much, write the new number with --update.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Build, render the sample scene's long path (once; half an hour), and measure how time and memory of the main job
 # grow from 25 to 100 views.
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Build, and measure how time and memory of the stages after the image curves grow from 25 to 1,000 views of a generated
 # street (tests/bench/large_scene.cc), as a section of datasets/RESULTS.md: build/street/section.md. Some ten minutes.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Demonstrates the main job by MPI on several hosts, on one machine: a host is a network namespace with its own name and
 # address and one rank; ranks communicate over TCP through a switch. Draws the sample scene:
 #

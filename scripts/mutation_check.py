@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Check that the tests detect small mutations of the core.
 
 The mutations are in scripts/mutations.txt, a block of lines each:

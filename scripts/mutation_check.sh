@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Do the tests detect a broken stage? Applies the mutations of scripts/mutations.txt one by one to a copy of
 # the tree in build/mutations, builds and runs the test that should fail:
 #   scripts/mutation_check.sh [--list] [--sample N] [--minutes M] [names ...]

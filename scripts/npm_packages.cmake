@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # cmake -DNPM=<npm> -DSOURCE_DIR=<with package.json and its lock> -DBUILD_DIR=<where node_modules goes>
 #       -P npm_packages.cmake
 # Packages in npm's cache are not fetched again, so that later builds work without a network.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pictures of documents: what the scripts of the tutorial and of the gallery share."""
 
 import subprocess

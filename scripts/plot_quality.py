@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Plot the precision-recall curves of a quality report.
 
     scripts/plot_quality.py build/quality/report.json [output folder]

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds, then draws data sets with cameras that are off by 0 to 5 px, as given and refined. Results: build/ladder. Takes hours; a
 # stopped run goes on where it was. Arguments go to pose_ladder.py: `scripts/pose_ladder.sh --sets sample-day,room --errors 0,1 --seeds 1`.
 set -euo pipefail

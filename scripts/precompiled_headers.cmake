@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Headers of the standard library, Eigen, nlohmann/json and GoogleTest, compiled once for all targets with the same
 # flags. Our own headers are not among them, since a change would recompile everything. Sources still include
 # what they use: a build without precompiled headers (LIMN_PRECOMPILED_HEADERS=OFF, sanitizers, clang) must work.

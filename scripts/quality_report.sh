@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Install, build, measure all available data sets, plot precision-recall curves. Results: build/quality.
 # Arguments go to quality_report: `scripts/quality_report.sh --quick 1 --sets sample-day,vase`.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Makes the tables and figures of the paper, and of Limn beside it: datasets/RESULTS.md and its pictures. Takes about two hours on two
 # cores, and some more for cameras that are wrong. Needs Debian's python3-opencv.
 # Argument: the folder of the data sets of datasets/README.md, by default ../shared/data.

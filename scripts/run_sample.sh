@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Install, build, draw the sample scene and compare the drawing with the truth. Results: build/sample.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Install the packages for building and testing Limn (Debian 12), and those given as arguments. Does nothing if all
 # are installed.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Install, build, measure time, memory and accuracy of every stage on all available data sets.
 # Results: build/stages. Arguments go to stage_report: `scripts/stage_report.sh --repeat 3 --sets sample-day,vase`.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds, then measures what refined cameras are worth to dense stereo: the sample scene with cameras that are off by 1 and 3 px, as given
 # and refined, against its exact depth maps. Results: build/stereo_worth/section.md. Needs Debian's python3-opencv. Takes some minutes.
 set -euo pipefail

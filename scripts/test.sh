@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Install, build with warnings as errors, run all tests: scripts/test.sh [--sanitizers] [options of ctest ...]
 # With --sanitizers builds again then and runs the quick tests under the address and undefined-behavior sanitizers.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Build with the address and undefined-behavior sanitizers, into build/asan, and run tests:
 #   scripts/test_sanitizers.sh [test programs ...]
 # All except the slow ones by default.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Build the tests of parallel code with the thread sanitizer, into build/tsan, and run them:
 #   scripts/test_threads.sh [test programs ...]
 # Suppressions, with reasons, are in tests/tsan_suppressions.txt.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # limn/version.h, limn/libraries.h, and limn/commit.h with the commit, which is written again when git's log of HEAD changes. Only what
 # prints the commit includes the latter, so that a commit does not recompile the library.
 set(LIMN_GENERATED_HEADERS ${PROJECT_BINARY_DIR}/include)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # cmake -DGIT=<program> -DSOURCE_DIR=<folder> -DHEADER=<file> -P write_commit.cmake: the header with the commit of the
 # sources, or with none where they are no repository of their own.
 set(commit "")

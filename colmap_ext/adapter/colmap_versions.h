@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // COLMAP's library, and everything that differs between versions 3.8 and 4.2. The code asks

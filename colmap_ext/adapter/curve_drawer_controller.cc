@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/adapter/curve_drawer_controller.h"
 
 #include <exception>

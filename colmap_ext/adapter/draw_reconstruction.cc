@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An example of a program that links COLMAP and draws a reconstruction as one of its stages:
 //
 //   draw_reconstruction <folder of the model> <folder of the images> <output folder>

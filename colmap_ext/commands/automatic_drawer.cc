@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/commands/automatic_drawer.h"
 
 #include <exception>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/dense_files/patch_file.h"
 
 #include <algorithm>

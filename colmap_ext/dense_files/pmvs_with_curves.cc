@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/dense_files/pmvs_with_curves.h"
 
 #include <algorithm>

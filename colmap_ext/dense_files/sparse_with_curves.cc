@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/dense_files/sparse_with_curves.h"
 
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/host/library_console.h"
 
 namespace limn::colmap_ext {

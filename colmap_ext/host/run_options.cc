@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/host/run_options.h"
 
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/host/terminal_console.h"
 
 #include <cerrno>

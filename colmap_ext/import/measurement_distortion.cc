@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/import/measurement_distortion.h"
 
 #include <cmath>

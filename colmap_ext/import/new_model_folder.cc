@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/import/new_model_folder.h"
 
 #include <system_error>

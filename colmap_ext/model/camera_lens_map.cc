@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/model/camera_lens_map.h"
 
 namespace limn::colmap_ext {

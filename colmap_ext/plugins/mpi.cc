@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The plug-in limn_mpi: ranks, by Boost.MPI.
 #include <memory>
 #include <numeric>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The plug-in limn_step: STEP files, by OpenCASCADE.
 #include <boost/dll/alias.hpp>
 

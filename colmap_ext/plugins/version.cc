@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // In every plug-in: the build that it belongs to, as BuildId of the program (host/version_text.h).
 #include "limn/version.h"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Builds the package with CMake: in build/release of the repository if that has it for this Python, or else in
 build/wheel; or in another build tree of the same sources that the environment variable LIMN_BUILD_DIR names.
 LIMN_CMAKE_ARGS has more arguments for CMake, in build/wheel."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """write_reference.py <folder of the package limn> <page>: writes the reference of the package, from its docstrings:
 
     python3 colmap_ext/python/write_reference.py build/release/python/limn colmap_ext/docs/python-reference.md

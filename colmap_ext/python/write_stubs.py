@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """write_stubs.py <folder of the package limn>: writes _limn.pyi, the types of the compiled module _limn, there.
 
 pybind11 writes the signature of every function at the beginning of its documentation; this makes a stub of them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/verbs/depth_warnings.h"
 
 #include "limn/util/name_list.h"

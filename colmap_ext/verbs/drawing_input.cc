@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/verbs/drawing_input.h"
 
 #include <system_error>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/verbs/edge_results.h"
 
 #include "colmap_ext/workspace/file_set.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/workspace/jpeg_check.h"
 
 #include <csetjmp>

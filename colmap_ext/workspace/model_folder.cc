@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/workspace/model_folder.h"
 
 #include "colmap_ext/model/model_reader.h"

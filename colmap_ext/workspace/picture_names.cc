@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/workspace/picture_names.h"
 
 #include <string_view>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/workspace/refined_folder.h"
 
 #include <map>

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The sample scene as a benchmark: a ladder of inputs that get worse, and what methods make of them.
 
     benchmark.py inputs [--rungs blur-1,views-8]   makes the inputs: build/benchmark/<rung>/

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Reads the cameras of COLMAP's binary models, and compares places of cameras. Needs numpy only."""
 
 import struct

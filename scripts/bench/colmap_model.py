@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """COLMAP's own pipeline on a folder of photographs, as an ordinary user would run it, on the CPU."""
 
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Measures commands as a whole and writes a report like that of tests/bench/stage_report.
 
     command_report.py --output report.json --commit abc123 --name midday COMMAND [ARGUMENT ...]

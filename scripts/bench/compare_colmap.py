@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Times the main job and COLMAP's first steps alternately on the same images.
 
     compare_colmap.py LIMN WORKSPACE [RUNS]

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Compares reports of stages (tests/bench/stage_costs.h) of two commits, as a Markdown table.
 
     compare_reports.py FOLDER     with a-1.json, b-1.json, a-2.json, b-2.json, ...: run i of A is paired with run i of B

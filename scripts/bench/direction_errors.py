@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """How far the lines of drawings are from the directions of true edges:
 
     scripts/bench/direction_errors.py --truth truth.ply --distance 0.01 drawing.json regular.json ...

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Does a run warn where cameras are wrong, and only there? Draws right and wrong scenes and counts the warnings.
 
     false_confidence.py --limn LIMN --output_path FOLDER [--data_path DATA] [--only PATTERN ...] [--seed 1] [options of automatic_drawer]

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """How well the standard deviations of lengths in a drawing.json predict their errors.
 
     length_sigmas.py DRAWING JUNCTIONS [--true_frame MOVED] [--radius R] [--pairs 20000]

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Measures how time and memory of the main job grow with the number of views of a scene.
 
     measure_scaling.py LIMN WORKSPACE [RUNS]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Measures wall time, CPU time and peak memory of a command by wait4. Imported by the other scripts here."""
 
 import os

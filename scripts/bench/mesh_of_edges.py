@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The surfaces of a solid from its true edges, for drawing_evaluator --truth_mesh_path:
 
     scripts/bench/mesh_of_edges.py curves.ply mesh.ply

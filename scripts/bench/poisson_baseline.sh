@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # What COLMAP makes of the surfaces of the sample scene, as a baseline for faces: depth maps as stereo makes them
 # (degrade_depth.py), and exact ones, fused and meshed by COLMAP (Poisson) and scored against the true surfaces.
 # Needs colmap, numpy, OpenCV.

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws data sets with cameras that are wrong, more and more, as they are given and refined, and compares with exact ones.
 
     pose_ladder.py --limn LIMN --pose_noise POSE_NOISE --output_path FOLDER [--sets room] [--errors 0,1] [--seeds 1]

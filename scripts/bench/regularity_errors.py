@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """How far the planes and circles of a drawing are from true ones, before and after drawing_regularizer:
 
     scripts/bench/regularity_errors.py --truth truth.ply --distance 0.01 --footprint 0.005 drawing.json regular.json

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Write the page of results from a complete quality report: tables, what is ahead of Limn, and pictures.
 
     scripts/bench/results_page.py report.json COMMIT FOLDER [SECTION.md ...]

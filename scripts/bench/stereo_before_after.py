@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Measures what cameras are worth for dense stereo: the same matcher on the same pairs with exact cameras and with others.
 
     stereo_before_after.py --workspace_path WORKSPACE --model given=NOISY/sparse/0 --model refined=OUT/refined \\

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """How time and memory grow with the number of views, from reports of large_scene, as a section of datasets/RESULTS.md.
 
     street_section.py FOLDER PICTURE

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Scenes with right and with wrong cameras, for false_confidence.py. Poses: camera = rotation (world - center)."""
 
 from dataclasses import dataclass, replace

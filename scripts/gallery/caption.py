@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """caption.py SET DRAWING.json CPU_SECONDS: a line with what a caption says of a drawing."""
 
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """draw_picture.py PICTURE.jpg DRAWING.svg [PHOTOGRAPH ...]: a drawing, with the photographs on its left, in a column."""
 
 import sys

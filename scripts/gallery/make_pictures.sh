@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The pictures of colmap_ext/docs/gallery.md, in datasets/gallery/, of the sample scene and of data sets; the drawings go to
 # build/gallery. Sets that are not there are named, and their pictures stay as they are. Prints what the captions say.
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # archive.sh: make build/portable/limn-<version>-linux-<machine>.tar.gz, which runs wherever it is unpacked: the program
 # with its plug-ins and libraries, the Python module, man pages, completion; and wheels of the same; and SHA256SUMS.
 # Builds in build/archive, which takes little where ccache knows the files of another build. Installs

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """bundle.py <folder> [--search <folder with libraries>]... <program or library>...: makes files that run anywhere.
 
 Copies the shared libraries that the files use, and those that these use, into <folder>, takes symbols out, and changes

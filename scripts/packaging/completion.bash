@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Completion of limn in Bash: commands, options, the words that an option takes, files and folders for paths. The
 # program itself tells them, so that they are those of the version that is run.
 

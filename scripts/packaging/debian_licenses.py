@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What Debian says of the license of a package: /usr/share/doc/<package>/copyright, read as far as it can be.
 
 A license is of one of four kinds, from the least to the most demanding: permissive (text and notice), mpl (changed files

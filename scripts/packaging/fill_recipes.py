@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Fills in the recipes of conda-forge, vcpkg and Homebrew for a release: where it is, and checksums of its archives.
 
     fill_recipes.py --repository OWNER/NAME --maintainer NAME --archive limn-0.3.0.tar.gz --npm_cache limn-0.3.0-npm-cache.tar.gz --output FOLDER

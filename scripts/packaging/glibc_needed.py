@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """glibc_needed.py <file or folder>...: prints the oldest glibc, and the oldest libstdc++, that all programs and libraries
 there run with, as "GLIBC 2.36" and "GLIBCXX 3.4.30"."""
 

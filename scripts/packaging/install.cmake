@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # What `cmake --install` puts in place, in components: program (with man pages and completion), plugin_step and plugin_mpi
 # (colmap_ext/plugins), python (packages.cmake), library_static or library_shared, and development (headers and
 # limn-config.cmake).

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # lean_libraries.sh <folder>: build OpenCV, libtiff and Ceres as Limn needs them into <folder>/lib, from the sources of Debian's
 # packages, to go with a program that is built against those packages. Debian's own use 140 other libraries, among them
 # some under the GPL (poppler by GDAL, parts of SuiteSparse). Does nothing if they are there. Takes about 12 minutes on

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the scripts beside it: apt with lists of its own, so that packages of other releases, or sources, can be
 # downloaded and nothing of the system changes.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Debian packages by `cpack`: limn, liblimn-dev, and python3-limn where the Python module is built.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The Limn authors")

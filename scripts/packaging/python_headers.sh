@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # python_headers.sh <folder>: the headers of the Pythons of Debian 12 and 13, and of Debian 13's pybind11, into
 # <folder>/usr/include: for LIMN_PYTHON_ROOTS. Nothing of it is installed. Does nothing if they are there.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes THIRD_PARTY_NOTICES.txt for an archive or wheel that bundles libraries of Debian:
 
     third_party_notices.py --users build/release/limn --npm build/release/src/limn/viewer/page --output NOTICES FILES...

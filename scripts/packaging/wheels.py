@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """wheels.py <unpacked archive> <output folder> [--commit-time <seconds>]: a wheel limn_colmap-<version> for each Python
 that the archive has a module for, with the program and its libraries in it. `python3 -m wheel` (Debian: python3-wheel)
 makes the file."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # cmake -DLIMN=<program> -DFOLDER=<folder> -P write_man_pages.cmake: limn.1 and a page per command, told by the program.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Rebuilds the committed sample scene: about 40 minutes on two cores. For maintainers; users and CI use the
 # committed files. Needs Debian 12's blender, colmap, python3-numpy, python3-opencv and python3-scipy.
 #

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Renders the sample scene by day on its long path of 100 views, for scripts/measure_scaling.sh. Never committed.
 # Needs Debian 12's blender, python3-numpy and python3-opencv. Existing frames are kept.
 #

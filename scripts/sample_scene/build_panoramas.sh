@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Renders panoramas by day at the places of the sample scene's photographs, with half their resolution: half an hour on
 # two cores. Never committed. Needs Debian 12's blender, python3-numpy and python3-opencv. Existing frames are kept.
 #

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Projection with the pinhole and the distorted camera, COLMAP's pixel convention. Needs numpy only."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Writers of COLMAP's model files and depth maps, and of the PLY files of the truth. Needs numpy only."""
 
 import struct

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Simulates real dense results from the exact depth maps of the sample scene.
 
     degrade_depth.py datasets/sample/day OUT [--exact]

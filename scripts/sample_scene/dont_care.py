@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Curves that images show but that are not part of the truth: cast shadows and occluding contours.
 
 Runs inside Blender (ray casting).

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Solids with exactly known edges and paint, from which the sample scene is made.
 
 A solid is a prism (any planar outline, extruded) or a pyramid. It provides its mesh (for rendering and

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Junctions of the visible truth: points where at least three visible curve arms meet. numpy and scipy."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The lens of the distorted set: COLMAP's OPENCV model, rendered directly by Cycles.
 
 Cycles has a camera whose angle from the axis is a polynomial of degree four in the distance from the image

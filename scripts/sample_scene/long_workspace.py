@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A COLMAP workspace of the long path: JPEG files, the exact cameras, and a list of images per number of views.
 
   /usr/bin/python3 long_workspace.py --frames /tmp/frames --output /tmp/long

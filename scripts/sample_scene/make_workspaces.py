@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Turns rendered frames into COLMAP workspaces: JPEG files and models with the exact cameras.
 
   /usr/bin/python3 make_workspaces.py --frames /tmp/frames --sample datasets/sample [--sets day,evening]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the surfaces of the sample scene as one mesh, an input for `limn truth_extractor`.
 
   /usr/bin/python3 mesh.py --output datasets/sample/truth/mesh.ply

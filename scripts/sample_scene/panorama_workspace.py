@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A COLMAP workspace of panoramas at the places of the sample scene's photographs: JPEG files and the exact cameras.
 
   /usr/bin/python3 panorama_workspace.py --frames /tmp/frames --output /tmp/panoramas

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Visibility in the scene by ray casting. Runs inside Blender (mathutils' bounding volume hierarchy)."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Builds the sample scene in Blender and renders it with Cycles. Blender 3.4 (Debian 12).
 
   blender --background --python render.py -- --light day --output /tmp/frames/day [--views 0,6] [--samples 64]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The sample scene: its solids, lights and cameras. Needs numpy only; used by all other scripts."""
 
 import numpy as np

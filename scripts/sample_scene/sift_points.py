@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Checks that COLMAP's mapper registers the views, and makes real points for the day's workspace.
 
   /usr/bin/python3 sift_points.py --sample datasets/sample --work /tmp/colmap [--points] [--sets day]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the truth and the depth maps of the sample scene. Runs inside Blender, for its ray casting:
 
   blender --background --python truth.py -- --sample datasets/sample --sets day,evening,lamp,mixed [--depth]

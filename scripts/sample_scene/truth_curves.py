@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Derives the curves of the scene from the edges of the solids. Needs numpy and scipy.
 
 An edge buried in another solid, or enclosed between solids that touch, is not a curve of the scene. An edge

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Measures how well the projected truth agrees with edges of the committed images. Runs inside Blender.
 
   blender --background --python verify.py -- --sample datasets/sample --sets day,distorted [--overlays /tmp/overlays]

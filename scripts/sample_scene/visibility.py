@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Which parts of the true curves a set of images shows. Runs inside Blender (ray casting)."""
 
 import cv2

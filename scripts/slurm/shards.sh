@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The main job on a Slurm cluster as a job array. Needs only a shared file system; if a node dies, the last job makes
 # its shard.
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """draw_pictures.py PROJECT OUT PICTURES: what is not a page: photographs, overlay, sheet and SVG.
 draw_pictures.py --shrink OUT PICTURES: the screenshots of pages, as small JPEG files."""
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Edits as the page writes them, of a drawing.json: removes the shadows, and gives the two longest level lines dimensions."""
 
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The longest straight link of a drawing, with its length in whole centimeters of its unit: an example of --known_length."""
 
 import json

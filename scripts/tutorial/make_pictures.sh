@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The commands of colmap_ext/docs/tutorial.md on the sample scene, in build/tutorial, and their pictures: datasets/tutorial/.
 # Needs the build with its tests (whose browser it takes) and, by scripts/setup.sh: chromium colmap python3-opencv
 # python3-ezdxf python3-matplotlib librsvg2-bin.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // page_pictures.mjs OUT: screenshots of drawing.html in the folder LIMN_PAGES.
 
 import { join } from 'node:path';

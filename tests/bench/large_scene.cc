@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How time and memory of the stages after the image curves grow with the number of views: on a
 // street (street_scene.h) whose image curves are generated, and which is compared with its truth.
 // Prints the table of stages and what a view costs; --output_path keeps report.json

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes a workspace of a data set whose cameras are wrong, fewer or of another size, and how what
 // is drawn there is judged: scripts/bench/pose_ladder.py and benchmark.py draw it.
 #include <algorithm>

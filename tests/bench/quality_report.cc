@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures what the stages make of all known data sets (data_sets.h): each method of methods.h with
 // its default options and with its support threshold swept, against the truth and in held-out
 // views. Writes report.json, report.md, and per data set the drawings and, where there is a cloud

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bench/run_stages.h"
 
 #include "limn/belief/confidence.h"

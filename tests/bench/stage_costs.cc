@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bench/stage_costs.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures every stage of the main job on the known data sets (data_sets.h), from photographs and
 // with an empty cache: wall and processor time, peak memory, and how near what it made is to the
 // truth. Writes report.json (keys: stage_costs.h) and report.md. The files are read once before, so

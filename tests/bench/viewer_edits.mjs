@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How long edits of 4,000 links of 100 segments take in the page of drawing_viewer, until a fine frame
 // shows them, in headless Chromium's software renderer: medians. Started as viewer_frames.mjs is.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How fluid the page of drawing_viewer is: the median time of a frame while a drawing of 100,000
 // segments and 200,000 points turns, at 800x600, in headless Chromium's software renderer.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A headless Chromium for tests, and what they share. Without one a test ends here with exit code
 // 77, which ctest shows as skipped.
 

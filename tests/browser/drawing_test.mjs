@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The picture: curves where the views see them, picking, measuring, layers, themes.
 
 import assert from 'node:assert/strict';

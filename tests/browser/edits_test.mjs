@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Editing by hand: every tool with pointer, fingers and keys, what is seen of it, and the file.
 
 import assert from 'node:assert/strict';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faces: a translucent layer, and hidden lines.
 
 import assert from 'node:assert/strict';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a reader sees first, on a desk and on a phone.
 
 import assert from 'node:assert/strict';

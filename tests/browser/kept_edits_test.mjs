@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Edits that were never downloaded outlive the page.
 
 import assert from 'node:assert/strict';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // make_pages <folder>: the pages that the browser tests open.
 //   wires.html, wires.json    a synthetic scene and what its page must show
 //   edit.html, edit.json      links to edit

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What stands beside the picture: search, colors, report, help, places, saving.
 
 import assert from 'node:assert/strict';

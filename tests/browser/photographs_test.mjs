@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Real photographs behind the drawing: the truth of the sample scene lies on the edges that they
 // show, also where a lens had to be undone.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A page that is served says when drawing.json beside it is newer. From disk it asks for nothing
 // (every test of other files).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "browser/wire_scene.h"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From photographs to a corrected plan: edits made in the page by pointer and keys, and the file that
 // it downloads applied by the program, as in colmap_ext/docs/workflows.md.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Make base/sparse, the small valid model that every case of the corpus corrupts.
 
   colmap model_converter --input_path datasets/sample/day/sparse --output_path /tmp/txt --output_type TXT

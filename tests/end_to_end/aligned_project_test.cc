@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // drawing_aligner --apply_to project: a whole workspace in the world, all of its files in one
 // frame.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad options and commands give one line on standard error and exit code 1, and nothing is written.
 // Bad files are in the corpus_*_test files.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What becomes of cameras that the images say little about: nothing gets worse, and the words are
 // clear.
 #include <algorithm>

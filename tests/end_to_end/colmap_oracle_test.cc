@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The `colmap` program as an oracle: photographs to drawing by COLMAP's own commands. That its
 // model_converter writes what is read here in both flavors is in colmap_ext/model/model_test.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad cameras: cases 12 to 17 of tests/README.md. The cameras.txt of most are in tests/corpus.
 #include "end_to_end/corpus_case.h"
 

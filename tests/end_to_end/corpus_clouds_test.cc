@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad clouds and meshes that drawing_fuser reads: cases 32 and 33 of tests/README.md. The scene is
 // a plane with two links on it and one that hovers above it (fusion_scene.h).
 #include "colmap_ext/dense_files/patch_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad clouds that drawing_evaluator reads, and PMVS folders as models: cases 32 and 33 of
 // tests/README.md. What drawing_fuser reads is in corpus_depth_maps_test and corpus_clouds_test.
 // COLMAP's PMVS folders that are good are in colmap_oracle_test.

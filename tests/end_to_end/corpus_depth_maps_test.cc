@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad depth and normal maps that drawing_fuser reads: case 31 of tests/README.md. The scene is a
 // plane with two links on it and one that hovers above it (fusion_scene.h).
 #include "end_to_end/corpus_case.h"

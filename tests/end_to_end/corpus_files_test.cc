@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad files and folders: cases 1 to 11 of tests/README.md.
 #include <bit>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad images: cases 18 to 27 of tests/README.md.
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>

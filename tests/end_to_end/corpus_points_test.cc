@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad points: cases 29 and 30 of tests/README.md. geo_referenced_test shows that such a model
 // gives the same drawing.
 #include "colmap_ext/model/scene_origin.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad rigs and frames: case 28 of tests/README.md. The six images are of camera 1.
 #include "colmap_ext/model/model.h"
 #include "end_to_end/corpus_case.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scenes with little or nothing to draw, too much of it, or what does not fit together: the main
 // job ends well, within bounded time and memory. (Too few views and cameras at one center are cases
 // of the corpus.)

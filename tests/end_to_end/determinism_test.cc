@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The same photographs give the same bytes, however many threads draw them and in whatever order,
 // under whatever ids, the model lists them.
 #include <algorithm>

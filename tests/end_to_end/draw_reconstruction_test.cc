@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The example program that links COLMAP, against `limn` on the files of the same model.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Up, axes and scale of drawings, stored and applied on request.
 #include <algorithm>
 #include <cmath>

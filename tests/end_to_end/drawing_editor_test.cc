@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Edits made by hand, applied to the drawing of some small images and to one that was drawn anew.
 #include <algorithm>
 #include <filesystem>

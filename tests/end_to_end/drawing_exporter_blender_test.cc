@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // OBJ and PLY files, imported into Blender. Blender is large and not in scripts/setup.sh: skipped
 // where it is missing.
 #include <cmath>

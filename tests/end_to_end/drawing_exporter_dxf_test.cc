@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // DXF files, read and audited by ezdxf.
 #include <algorithm>
 #include <cmath>

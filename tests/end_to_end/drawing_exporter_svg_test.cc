@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `limn drawing_exporter` to SVG: which picture is made, and what is refused. What is in the
 // pictures is tested in limn/formats and scripts/svg_pictures_test.py.
 #include <gmock/gmock.h>

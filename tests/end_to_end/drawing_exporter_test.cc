@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `limn drawing_exporter`: its options, and the files that Python's XML parser reads back. Formats
 // of CAD and of Blender are in drawing_exporter_<format>_test.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A length of 3.05 m is one in every format and unit.
 #include <algorithm>
 #include <cstdint>

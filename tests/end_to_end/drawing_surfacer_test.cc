@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The faces of the drawing of some small images.
 #include <algorithm>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // drawing_viewer on the sample scene with a drawing of one link: what it finds, writes and refuses.
 #include <filesystem>
 #include <fstream>

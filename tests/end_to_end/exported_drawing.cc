@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "end_to_end/exported_drawing.h"
 
 #include <variant>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // drawing_fuser on the sample scene: what dense results gain by the drawing, and whether COLMAP
 // reads what is written for it.
 #include <algorithm>

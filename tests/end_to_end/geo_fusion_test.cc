@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // drawing_fuser in coordinates of a UTM zone, of millions of meters.
 #include <filesystem>
 #include <string>

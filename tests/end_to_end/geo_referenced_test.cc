@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Models in coordinates of a UTM zone, of millions of meters.
 #include <filesystem>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Edges from elsewhere: --edges_path, and the files that edge_extractor and curve_linker write.
 #include <algorithm>
 #include <filesystem>

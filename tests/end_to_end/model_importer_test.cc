@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cameras of other programs become a model that the other commands run on.
 #include <algorithm>
 #include <filesystem>

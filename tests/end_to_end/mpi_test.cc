@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // MPI processes that draw together: the bytes of one process, and what is left when one of them
 // fails.
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Preloaded, this makes all file systems such as have no locks.
 #include <cerrno>
 

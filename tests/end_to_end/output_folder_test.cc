@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is found in the output folder: results of earlier runs, other runs, no room, no permission.
 #include <algorithm>
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What becomes of drawing.html when a command writes the drawing that it shows.
 #include <chrono>
 #include <filesystem>

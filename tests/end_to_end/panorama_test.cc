@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Panoramas of the sample scene against its photographs: each photograph is the only part of a
 // panorama that is not masked, at the same pixel footprint, turned so that it lies anywhere in it.
 #include <cmath>

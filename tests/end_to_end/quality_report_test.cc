@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The quality report on one small data set: every figure is there.
 #include <filesystem>
 #include <fstream>

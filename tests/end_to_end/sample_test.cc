@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The main job on the whole sample scene with default options, in fixed and in mixed light, and the
 // sketches of the paper, judged against the truth.
 #include <algorithm>

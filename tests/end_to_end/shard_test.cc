@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The work of a run in parts: shards that know nothing of each other, and tiles.
 #include <filesystem>
 

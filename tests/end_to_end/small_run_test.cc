@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // All commands on eight small images of the sample scene.
 #include <algorithm>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The measurements of time and memory on little scenes: every figure is there, and reports of two
 // commits can be compared.
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs that are stopped at many moments, and what the next run makes of it. LIMN_STOPS=100 for more
 // moments than the few of the test.
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a run says of its own drawing, with right and with wrong cameras.
 #include <algorithm>
 #include <filesystem>

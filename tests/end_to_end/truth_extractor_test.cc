@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `limn truth_extractor` on the sample scene's surfaces, and on bad input.
 #include <algorithm>
 #include <filesystem>

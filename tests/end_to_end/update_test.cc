@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Drawings that are brought up to date with new and changed images, once or while somebody watches.
 #include <chrono>
 #include <csignal>

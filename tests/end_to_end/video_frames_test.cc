@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Frames of a video with cameras in the layout of the authors' programs, a stand-in for their
 // Capitol High (datasets/README.md): JPEG files, one calib.intrinsic, a .extrinsic per frame, all
 // in one folder beside files that are nobody's business. From there to a drawing.

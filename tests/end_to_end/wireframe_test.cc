@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A drawing becomes a wireframe, which the evaluator scores as the S23DR challenge does.
 #include <fstream>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Commands that are given a workspace find its drawing; the drawing goes to LIMAP and back.
 #include <algorithm>
 #include <filesystem>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Files of hostile workspaces: images, dense results, truths, cameras of other programs, and damage of any file."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A small COLMAP model of the sample scene, with rigs and frames, whose values are replaced by hostile ones."""
 
 import copy

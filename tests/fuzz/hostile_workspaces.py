@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Run all of Limn's commands on hostile workspaces, made from the sample scene by a seeded generator.
 
 Every case changes numbers, names, images, options, kinds of files, stored results or other inputs of a small project

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lists of images: as importers read them, as the list of a PMVS folder, and as a choice among its
 // images.
 #include "colmap_ext/dense_files/patch_file.h"

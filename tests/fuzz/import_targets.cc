@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz/import_targets.h"
 
 #include "fuzz/fuzz_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // calib.intrinsic before the first '|', the extrinsics of both images after it.
 #include "colmap_ext/import/intrinsic_extrinsic.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz/limap_folder.h"
 
 #include "fuzz/fuzz_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
 #include "limn/formats/limap_structures.h"

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Write the seeds of the fuzzers, small valid files, to tests/fuzz/corpus/<target>/.
 
 Run again after a change of a format; the files are committed.

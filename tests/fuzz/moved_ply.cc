@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <sstream>
 
 #include "fuzz/fuzz_file.h"

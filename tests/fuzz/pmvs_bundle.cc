@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The points of a PMVS folder.
 #include "colmap_ext/workspace/pmvs_model.h"
 #include "fuzz/fuzz_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One of the two matrices of a folder.
 #include "colmap_ext/import/projection_matrices.h"
 

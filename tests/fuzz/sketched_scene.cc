@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz/sketched_scene.h"
 
 #include "limn/drawing/drawing.h"

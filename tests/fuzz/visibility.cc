@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The .vis beside a cloud of three points; the model has three images, of which two are views.
 #include "colmap_ext/dense_files/dense_cloud.h"
 #include "fuzz/fuzz_file.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What aligns a drawing, consistent and contradicting: positions of cameras in a database, and known lengths.
 
 Consistent input gives the scale that it was made with, to within what the run says; contradicting input is an error that

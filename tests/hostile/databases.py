@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Databases of strangers (database.db) for drawing_aligner: schemas that are programs, values of any type and size, files
 that are damaged or that another program is writing.
 """

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Depth maps that are those of the scene, more or less, and depth maps that are not: of another scale, of other images,
 moved, mirrored, inverted, noise, nothing."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs that end early: by a signal, or because nobody reads their lines any more. Whatever is left behind is whole, and
 the same command goes on where it was."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What all kinds of hostile cases share. A kind is a file here, and has
 
   def cases(seed, count):        yields `count` cases, which depend on the seed alone

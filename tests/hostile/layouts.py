@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Projects in the layouts of other programs: nerfstudio, instant-ngp, gaussian-splatting, mip-NeRF 360, OpenSfM, openMVG, Metashape,
 RealityCapture and more. A model that is found is drawn; cameras in another format are imported exactly, and a project
 with nothing else names the command that imports them, or how to export them; files that are damaged are refused by a

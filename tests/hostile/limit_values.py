@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Values at their limits and against their neighbors, by hand: numbers of a drawing.json or an edits.json that are huge,
 tiny or of another type, shapes that are not where their links are, points of a model that are no numbers.
 """

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Masks in every usual form and folder, and in forms that are wrong: of other sizes and depths, damaged, ambiguous, of other
 images, as alpha channels, in lists."""
 

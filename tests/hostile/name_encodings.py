@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Names of images in all encodings, in the model, on the disk and in lists: composed and decomposed, in code pages, garbled
 by archives, with back slashes; some of them as they are in both places, some missing, some ambiguous."""
 

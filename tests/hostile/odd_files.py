@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pipes, sockets, devices, folders, loops, links to nowhere and empty files in the place of every file that is read."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Names with characters that terminals, shells and other programs obey or mistake: of images, folders, files and values
 of options. No line of limn may show them raw."""
 

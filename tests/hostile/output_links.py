@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Links at every depth of the output tree, in the place of folders and of files, for every command that writes there."""
 
 import os

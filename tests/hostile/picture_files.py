@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Odd files of pictures: JPEG without their end, with more behind it, turned by EXIF; TIFF of several directories and byte
 orders; values in a part of 16 bits; all of them whole or damaged."""
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Run limn on hostile cases of all kinds, made by seeded generators: see hostile.py for the rules.
 
   run.py LIMN                              some cases of every kind

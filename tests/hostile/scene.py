@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A small scene of boxes on a floor, rendered for hostile cases: eight PNG images of 160 x 120 pixels and their model."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Small files that ask for much work or memory: JSON of many keys or values, PLY headers without end, meshes that cover a
 picture many times over, drawings with hubs, many dimensions or one long link.
 """

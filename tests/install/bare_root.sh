@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the tests beside it: Debian roots that have nothing but apt, of the mirror of the machine's apt.
 
 source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/packaging/own_apt.sh"

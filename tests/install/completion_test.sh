@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # completion_test.sh <program>: what the completion of Bash offers.
 set -uo pipefail
 limn=$1

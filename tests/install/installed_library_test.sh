@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # installed_library_test.sh <build folder> <static or shared> <compiler>: install, move what was installed, build
 # a small project with it alone, and draw some images of the sample scene. Without the program and its pages, which are
 # large: package_test.sh has these.

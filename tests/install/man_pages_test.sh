@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # man_pages_test.sh <folder of pages> <program>: they are displayed without warnings and tell every option.
 set -euo pipefail
 pages=$1 limn=$2

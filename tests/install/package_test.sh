@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # package_test.sh <build folder> <1 or 0: with Python>: make the packages and install them with apt into a Debian
 # root that has nothing else; there, draw some images of the sample scene by the program and from Python. With
 # LIMN_BUILD_IN_ROOT=1 also install a compiler and the library there (370 MB) and build a program with it; without, only

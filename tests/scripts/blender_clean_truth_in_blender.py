@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Tests of scripts/blender_clean_truth.py inside Blender:
 
   blender --background --factory-startup --python-exit-code 1 --python blender_clean_truth_in_blender.py

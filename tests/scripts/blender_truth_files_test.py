@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Tests of scripts/blender_truth_files.py: the parts of the Blender script that need no Blender."""
 
 import gzip

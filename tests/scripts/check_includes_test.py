@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """scripts/check_includes.py refuses loops between rooms, ways around doors, and POSIX outside two folders."""
 
 import sys

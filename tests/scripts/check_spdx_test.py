@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """scripts/check_spdx.py finds missing, wrong and doubled license tags, and adds missing ones where they belong."""
 
 import ast
@@ -37,6 +38,7 @@ class Writing(unittest.TestCase):
         for name, before, after in (
                 ("a.cc", "#include <a>\n", f"// {TAG}\n#include <a>\n"),
                 ("a.h", "", f"// {TAG}\n"),
+                ("a.h.in", "", f"// {TAG}\n"),
                 ("a.mjs", "#!/usr/bin/env node\nrun();\n", f"#!/usr/bin/env node\n// {TAG}\nrun();\n"),
                 ("a.sh", "#!/bin/sh\n# What\n", f"#!/bin/sh\n# {TAG}\n# What\n"),
                 ("CMakeLists.txt", "# What\n", f"# {TAG}\n# What\n"),

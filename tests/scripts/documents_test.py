@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Checks documents against the tree: every link between them, every section of the algorithm that a comment cites, and every file
 that a page of the algorithm names exists."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The .glb of write_pictures (argument), read by Blender in background mode."""
 
 import shutil

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Inside Blender: drawing.glb of a folder has the links, points and lengths of drawing.json.
 
   blender --background --factory-startup --python-exit-code 1 --python glb_in_blender.py -- folder

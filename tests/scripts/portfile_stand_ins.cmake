@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # cmake -DPORTFILE=<file> -DFEATURES=<list> -P portfile_stand_ins.cmake: runs a port of vcpkg with stand-ins for vcpkg's
 # functions, which print what they are called with, a line per call.
 cmake_minimum_required(VERSION 3.25)

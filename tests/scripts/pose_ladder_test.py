@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Tests of scripts/bench/pose_ladder.py: which cases it runs and what its tables show."""
 
 import argparse

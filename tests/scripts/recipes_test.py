@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The recipes of packages and images, and the workflows of the hosting site, agree with the tree: versions, dependencies, options, scripts.
 
 Their own systems do not run here. YAML files need PyYAML (Debian: python3-yaml), the formula ruby, the port cmake; where one is

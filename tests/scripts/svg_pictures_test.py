@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """SVG drawings by write_pictures (argument), rendered by rsvg-convert: lines are exactly where the scene projects,
 hidden parts are missing, and an XML parser finds every link."""
 

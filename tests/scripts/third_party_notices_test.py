@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """scripts/packaging/third_party_notices.py on libraries that are installed wherever Limn is built."""
 
 import json

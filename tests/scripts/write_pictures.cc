@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // write_pictures <folder>: drawings of a small scene for tests by programs that are not ours, and
 // what these must find, computed without the writers:
 //   view.svg, view-hidden.svg, sheet.svg, sheet-hidden.svg (dashed: sheet-dashed.svg) with

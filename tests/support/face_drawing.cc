@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/face_drawing.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 # %% [markdown]
 # # A first drawing
 # Draws a COLMAP project, looks at the curves and writes them for other programs. Each `# %%` is a cell in editors that

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 # %% [markdown]
 # # A drawing of cameras and images in memory
 # As another program would have them: arrays of images, calibrations and poses. Here they come from a COLMAP project:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """3D drawings from COLMAP projects: graphs of curves in space that meet at nodes.
 
     import limn

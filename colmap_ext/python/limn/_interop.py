@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Drawings in the types of other packages, which are imported when they are needed."""
 
 from typing import TYPE_CHECKING, Any

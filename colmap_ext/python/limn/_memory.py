@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Scenes from cameras and images in memory."""
 
 from collections.abc import Iterable, Mapping, Sequence

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Keyword arguments as options of the command line."""
 
 import os

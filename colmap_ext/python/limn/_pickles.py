@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What pickles call to make objects again: functions of the compiled part have no names that pickle can look up."""
 
 from typing import Any

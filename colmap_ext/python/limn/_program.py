@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The program `limn` of a wheel that has it (scripts/packaging/wheels.py)."""
 
 import os

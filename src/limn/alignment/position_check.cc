@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/alignment/position_check.h"
 
 #include <algorithm>

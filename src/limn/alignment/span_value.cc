@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/alignment/span_value.h"
 
 namespace limn {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/belief/image_evidence.h"
 
 #include <algorithm>

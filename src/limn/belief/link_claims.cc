@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/belief/link_claims.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/belief/seen_through.h"
 
 #include <algorithm>

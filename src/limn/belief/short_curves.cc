@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/belief/short_curves.h"
 
 #include <algorithm>

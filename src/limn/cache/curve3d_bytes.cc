@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/cache/curve3d_bytes.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/cache/curve_sketch_file.h"
 
 #include <nlohmann/json.hpp>

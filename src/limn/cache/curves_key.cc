@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/cache/curves_key.h"
 
 #include "limn/cache/content_hash.h"

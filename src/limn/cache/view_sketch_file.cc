@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/cache/view_sketch_file.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/cameras/camera_covariance.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/cameras/camera_rounds.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/cameras/row_motion.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/dense/depth_exam.h"
 
 #include <algorithm>

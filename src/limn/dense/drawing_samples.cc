@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/dense/drawing_samples.h"
 
 #include "limn/geometry/polyline.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/dense/point_distance.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/drawing/drawing_options.h"
 
 #include "limn/util/errors.h"

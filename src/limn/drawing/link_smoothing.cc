@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/drawing/link_smoothing.h"
 
 #include "limn/drawing/curve_smoothing.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/drawing/trace_curves.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/edges/edgel_selection.h"
 
 #include <algorithm>

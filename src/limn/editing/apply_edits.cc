@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/editing/apply_edits.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/evaluation/evaluation_options.h"
 
 #include "limn/util/errors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/evaluation/smooth_regions.h"
 
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/evaluation/view_agreement.h"
 
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/files/atomic_file.h"
 
 #include <cerrno>

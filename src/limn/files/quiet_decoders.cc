@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/files/quiet_decoders.h"
 
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/files/text_file.h"
 
 #include "limn/util/errors.h"

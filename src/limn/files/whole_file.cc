@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/files/whole_file.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/image_polylines_reader.h"
 
 #include "limn/files/text_file.h"

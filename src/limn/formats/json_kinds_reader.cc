@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/json_kinds_reader.h"
 
 #include <nlohmann/json.hpp>

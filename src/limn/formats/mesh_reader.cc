@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/mesh_reader.h"
 
 #include "limn/files/whole_file.h"

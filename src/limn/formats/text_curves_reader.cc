@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/text_curves_reader.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/geometry/polygon_with_holes.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/kinds/round_body_fit.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/linking/edgel_grid.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/model/lens_jacobian.h"
 
 #include <Eigen/LU>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/model/view_finder.h"
 
 #include <algorithm>

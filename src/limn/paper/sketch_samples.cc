@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/paper/sketch_samples.h"
 
 #include <cmath>

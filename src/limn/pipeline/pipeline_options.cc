@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/pipeline/pipeline_options.h"
 
 #include <string_view>

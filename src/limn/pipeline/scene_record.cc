@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/pipeline/scene_record.h"
 
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/pipeline/sketch_views.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/plans/face_axes.h"
 
 #include <cmath>

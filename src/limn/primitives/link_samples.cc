@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/primitives/link_samples.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/primitives/shape_choice.h"
 
 #include <algorithm>

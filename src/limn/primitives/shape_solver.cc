@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/primitives/shape_solver.h"
 
 #include "limn/util/quiet_solver.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/refinement/edgel_matches.h"
 
 #include <algorithm>

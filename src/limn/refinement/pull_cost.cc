@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/refinement/pull_cost.h"
 
 #include <cmath>

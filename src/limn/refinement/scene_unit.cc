@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/refinement/scene_unit.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/regularity/apply_shapes.h"
 
 #include <algorithm>

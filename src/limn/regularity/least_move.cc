@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/regularity/least_move.h"
 
 #include <cmath>

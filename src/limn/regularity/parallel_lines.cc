@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/regularity/parallel_lines.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/regularity/regular_fit.h"
 
 #include <cmath>

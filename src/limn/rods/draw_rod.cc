@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/rods/draw_rod.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/rods/fit_rod.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/rods/rod_evidence.h"
 
 #include <algorithm>

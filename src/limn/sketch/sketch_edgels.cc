@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/sketch/sketch_edgels.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/sketch/sketch_of_depths.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/sketch/sweep_candidates.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/support/edgel_index.h"
 
 #include <algorithm>

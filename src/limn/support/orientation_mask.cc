@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/support/orientation_mask.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/surfaces/flat_candidates.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/topology/arc_or_corner.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/topology/circle_evidence.h"
 
 #include <algorithm>

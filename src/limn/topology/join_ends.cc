@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/topology/join_ends.h"
 
 #include <algorithm>

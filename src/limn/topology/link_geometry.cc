@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/topology/link_geometry.h"
 
 #include <algorithm>

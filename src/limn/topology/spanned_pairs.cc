@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/topology/spanned_pairs.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/util/latest_stage.h"
 
 #include <mutex>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/util/return_memory.h"
 
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/viewer/payload_arrays.h"
 
 #include <bit>

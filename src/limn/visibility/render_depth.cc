@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/visibility/render_depth.h"
 
 #include <algorithm>

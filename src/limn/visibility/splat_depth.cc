@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/visibility/splat_depth.h"
 
 #include "limn/visibility/raster.h"

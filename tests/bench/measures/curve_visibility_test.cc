@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bench/measures/curve_visibility.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bench/measures/held_out_reprojection.h"
 
 #include <algorithm>

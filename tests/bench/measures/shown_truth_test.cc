@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bench/measures/shown_truth.h"
 
 #include <gtest/gtest.h>

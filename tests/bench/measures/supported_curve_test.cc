@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bench/measures/supported_curve.h"
 
 #include <gtest/gtest.h>

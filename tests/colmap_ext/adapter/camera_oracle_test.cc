@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // COLMAP's library, 3.9 or later, as an oracle for lenses: every camera model that it has, 100
 // cameras of random parameters each, 100 random points in the image of each.
 //

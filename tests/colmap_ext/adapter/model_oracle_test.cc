@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // COLMAP's library as an oracle for models: it reads what we write, and the reverse.
 #include <algorithm>
 #include <random>

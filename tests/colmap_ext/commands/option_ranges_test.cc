@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every number that a command takes has a range with two ends, checked before any work.
 
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/import/metashape.h"
 
 #include "colmap_ext/import/import_test_base.h"

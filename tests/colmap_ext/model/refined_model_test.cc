@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/model/refined_model.h"
 
 #include <gtest/gtest.h>

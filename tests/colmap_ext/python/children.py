@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Python programs in processes of their own, for tests of signals and of the end of the interpreter."""
 
 import os

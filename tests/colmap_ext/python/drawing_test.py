@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The Python package draws what the program draws; arrays, errors, options. Argument: the program limn."""
 
 import copy

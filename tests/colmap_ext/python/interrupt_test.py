@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Ctrl-C at several moments of a run: KeyboardInterrupt within two seconds, the interpreter's lock is free meanwhile."""
 
 import threading

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Cameras and images from memory give the drawing of the files, to the byte."""
 
 import pickle

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The wheel: built by pip, installed into a new environment, where the examples run and mypy finds the types.
 
 Argument: the build tree, whose libraries the wheel takes.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The reference of the package in the documents is that of its docstrings."""
 
 import difflib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Work that does not stop when it is asked to: what is raised, and how the interpreter ends meanwhile."""
 
 import tempfile

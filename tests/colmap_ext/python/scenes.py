@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Small scenes for the tests of the Python package: eight small images of the sample scene."""
 
 import tempfile

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Work that does not look whether it was asked to stop, run as the package runs its own.
 
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/verbs/curves_in_model.h"
 
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A straight edge in space, rendered through COLMAP's camera models in COLMAP's pixels, comes back
 // where it is: nothing on the way from the file to the edgel shifts by half a pixel or forgets the
 // lens.

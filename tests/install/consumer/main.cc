@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // consumer <COLMAP workspace> <file with the names of images> <drawing.json to write>
 
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/alignment/dominant_directions.h"
 
 #include <random>

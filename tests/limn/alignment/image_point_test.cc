@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/alignment/image_point.h"
 
 #include <limits>

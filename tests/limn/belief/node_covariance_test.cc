@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/belief/node_covariance.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far a camera follows what a few curves, or many, say of it.
 #include "limn/cameras/camera_fit.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cameras that are off by a pixel come back from the curves of a cube.
 #include "limn/cameras/camera_rounds.h"
 

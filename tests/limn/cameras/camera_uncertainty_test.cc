@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What wrong cameras do to the images of points and to curves.
 #include "limn/cameras/camera_uncertainty.h"
 

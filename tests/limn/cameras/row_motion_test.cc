@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cameras that move while they expose one row after the other, and cameras that do not.
 #include "limn/cameras/row_motion.h"
 

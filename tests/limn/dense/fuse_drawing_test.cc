@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/dense/fuse_drawing.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/dense/kind_on_surface.h"
 
 #include <gtest/gtest.h>

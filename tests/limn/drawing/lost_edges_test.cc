@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Edges that the sketch lost are in the drawing.
 #include <algorithm>
 #include <cmath>

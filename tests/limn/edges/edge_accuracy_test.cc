@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Errors of edgels of blurred steps and bars, against what is possible.
 #include <algorithm>
 #include <cmath>

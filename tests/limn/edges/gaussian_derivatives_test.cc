@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/edges/gaussian_derivatives.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/edges/grid_maxima.h"
 
 #include <algorithm>

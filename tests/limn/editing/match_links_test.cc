@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/editing/match_links.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/evaluation/duplicates.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How single features of the truth are drawn: scores of hand-made sets.
 #include "limn/evaluation/feature_scores.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How curves are cut and joined: scores of hand-made sets.
 #include "limn/evaluation/structure_scores.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/evaluation/true_chains.h"
 
 #include <algorithm>

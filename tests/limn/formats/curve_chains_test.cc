@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/curve_chains.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faces of a drawing in the files that hold them.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sheets of drawings with faces: hidden lines, flat drawings, sections and dimensions.
 #include <cmath>
 #include <numbers>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/ply_curves_writer.h"
 
 #include <sstream>

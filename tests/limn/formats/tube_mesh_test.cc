@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/tube_mesh.h"
 
 #include <algorithm>

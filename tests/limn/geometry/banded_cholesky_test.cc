@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/geometry/banded_cholesky.h"
 
 #include <random>

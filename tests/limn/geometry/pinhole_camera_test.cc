@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/geometry/pinhole_camera.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/geometry/rigid3.h"
 
 #include <random>

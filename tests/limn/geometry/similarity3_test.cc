@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/geometry/similarity3.h"
 
 #include <gtest/gtest.h>

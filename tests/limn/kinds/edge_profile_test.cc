@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/kinds/edge_profile.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/kinds/link_profiles.h"
 
 #include <gtest/gtest.h>

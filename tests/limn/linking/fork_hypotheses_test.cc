@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/linking/fork_hypotheses.h"
 
 #include <cmath>

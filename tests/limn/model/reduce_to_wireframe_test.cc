@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/model/reduce_to_wireframe.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/paper/depth_fusion.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/paper/merging_scene.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/paper/paper_drawing.h"
 
 #include <cstdint>

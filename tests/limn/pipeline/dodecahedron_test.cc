@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A solid whose edges, as detectors find them, end before its corners: the drawing closes them.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/pipeline/tiled_scene.h"
 
 #include <map>

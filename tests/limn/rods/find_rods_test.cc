@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/rods/find_rods.h"
 
 #include <algorithm>

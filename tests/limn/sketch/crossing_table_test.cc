@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/sketch/crossing_table.h"
 
 #include <cmath>

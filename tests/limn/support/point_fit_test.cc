@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/support/point_fit.h"
 
 #include <cmath>

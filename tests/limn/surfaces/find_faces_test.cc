@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/surfaces/find_faces.h"
 
 #include <algorithm>

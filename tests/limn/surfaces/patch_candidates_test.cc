@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/surfaces/patch_candidates.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/tiles/tile_plan.h"
 
 #include <algorithm>

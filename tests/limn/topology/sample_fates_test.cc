@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/topology/sample_fates.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/util/nearest_word.h"
 
 #include <gtest/gtest.h>

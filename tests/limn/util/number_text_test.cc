@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/util/number_text.h"
 
 #include <gtest/gtest.h>

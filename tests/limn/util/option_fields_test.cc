@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/util/option_fields.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/visibility/orthographic_depth.h"
 
 #include <cmath>

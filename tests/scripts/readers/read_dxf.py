@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Prints the content of a DXF file as JSON, read and audited by ezdxf: read_dxf.py file
 
 Points along entities are computed by ezdxf, with its object coordinate systems for arcs and circles.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Prints the content of a GraphML file as JSON, read by Python's XML parser: read_graphml.py file"""
 
 import json

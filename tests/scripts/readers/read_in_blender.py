@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Imports a file into Blender and prints the result as JSON:
 
   blender --background --factory-startup --python-exit-code 1 --python read_in_blender.py -- file

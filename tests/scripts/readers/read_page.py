@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Print the header of the payload in a page of drawing_viewer, as JSON (src/limn/viewer/payload.h).
 
 "nodes" is added: the positions of the nodes, relative to the center.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Port of vcpkg: see vcpkg.json. The marks are filled in by scripts/packaging/fill_recipes.py.
 set(release "https://github.com/@LIMN_REPOSITORY@/releases/download/v${VERSION}")
 vcpkg_download_distfile(archive

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/svg/svg_drawing_writer.h"
 
 #include <array>

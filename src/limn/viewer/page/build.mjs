@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // node build.mjs <folder with node_modules> <page_text.cc>
 //
 // Bundles src/ with three.js into one script, puts script and styles into page.html and writes the page, cut at
@@ -60,10 +61,10 @@ const parts = {
   '@SCRIPT@': bundle('src/main.js').trim(),
   '@LICENSES@': licenses(),
 };
-const page = readFileSync(join(here, 'page.html'), 'utf8').replace(
-  /@[A-Z]+@/g,
-  (mark) => parts[mark] ?? mark,
-);
+// The tag is for the source: whose drawing a page shows is not ours to license.
+const page = readFileSync(join(here, 'page.html'), 'utf8')
+  .replace(/<!-- SPDX-.*-->\n/, '')
+  .replace(/@[A-Z]+@/g, (mark) => parts[mark] ?? mark);
 const cut = page.indexOf(CUT);
 if (cut < 0) throw new Error(`page.html has no ${CUT}`);
 writeFileSync(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/dxf/chains.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faces of drawings from photographs in STEP files: borders that fit planes and primitives badly
 // are still shared.
 #include "limn/formats/step/borders.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faces in STEP files: shells and solids, read back and checked by OpenCASCADE.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rods as solids in STEP files, read back and checked by OpenCASCADE.
 #include <cmath>
 #include <map>

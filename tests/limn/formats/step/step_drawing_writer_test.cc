@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // STEP files, read back by OpenCASCADE's reader.
 #include "limn/formats/step/step_drawing_writer.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The page: puts the parts together and carries what the reader does from one to the others.
 
 import { Vector3 } from 'three';

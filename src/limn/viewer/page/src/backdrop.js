@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The photograph behind the drawing while it is looked through.
 
 import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, RawShaderMaterial } from 'three';

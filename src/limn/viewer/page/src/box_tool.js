@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A rectangle drawn with the pointer, by the tool or with Shift. The controls that turn the picture
 // must not see such a drag.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A tree of boxes over things in space, to be asked for what is near a place on the screen. Built in
 // O(n log^2 n); a question looks only into boxes whose outline on the screen is near the place.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Charts of the report as inline SVG.
 
 import { categoryColor } from './colors.js';

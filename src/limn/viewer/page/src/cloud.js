@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The point cloud. While the picture moves, only as many points are drawn as keep it fluid.
 
 import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from 'three';

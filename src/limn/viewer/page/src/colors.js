@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the drawing is colored by, and the legend of it.
 
 import { DENSE_CLASSES, LINK_KINDS, PRIMITIVES, TEXTURE } from './drawing.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What keys and the buttons of the toolbar do: {keys, label, tool: text of the button, run}.
 
 export function commandsOf(app) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The curves of the drawing: thin GL lines in one draw call while moving, wide ones at rest. Thin
 // lines leave out vertices that nobody would miss from where the reader is.
 

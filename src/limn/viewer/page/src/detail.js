@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Levels of detail of polylines (Douglas and Peucker): how far off a polyline would be without a
 // vertex.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lengths written into the picture: those of drawing.json and those that edits add.
 
 import { make } from './dom.js';

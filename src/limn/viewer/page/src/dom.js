@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Making elements. Texts come in as text nodes only: names of files are never read as HTML.
 
 const SVG = 'http://www.w3.org/2000/svg';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Saving a file that the page has made.
 
 import { make } from './dom.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The drawing as the page works on it: flat arrays, positions relative to `center`.
 
 import { Box3, Vector3 } from 'three';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tab "Drawing": what there is, colors with their legend, layers, the measurement.
 
 import { css } from './colors.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What keys and the buttons of the tab "Edit" do: {keys, label, button, run}.
 
 import { KINDS_TO_SET, LINK_KINDS } from './drawing.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The list of edits, with undo and redo. Lists are never changed, only replaced.
 
 export class EditHistory {

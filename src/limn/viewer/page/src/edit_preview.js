@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What edits add to the picture, until drawing_editor has fitted them: connections of joined ends,
 // straight and dashed, and places of cuts.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a list of edits makes of the drawing, as a preview: which links there are, their kinds, what
 // is drawn beside them. All of it is made anew from the list, so that undoing is forgetting.
 

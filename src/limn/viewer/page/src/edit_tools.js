@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tools that edit by pointing: each takes taps, says what to do next and tells which places it has and
 // which one a tap would take. `on.edit(edit)` hands over what is complete; `on.say(text)` tells why
 // nothing happens.

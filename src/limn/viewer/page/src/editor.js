@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Editing: the list of edits, the tools that add to it, and what is shown of them.
 
 import { watchBoxes } from './box_tool.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Edits: {edit, links: [numbers, -1 for those that are not in this drawing], refs: [how the file names
 // them], ...}. What they do: edit_state.js; as text in a file: edits_file.js.
 

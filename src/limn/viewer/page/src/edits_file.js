@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // edits.json: what `limn drawing_editor --edits` reads.
 
 import { KINDS_TO_SET, LINK_KINDS } from './drawing.js';

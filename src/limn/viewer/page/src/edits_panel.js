@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tab "Edit".
 
 import { make } from './dom.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // edits.json to and from the disk and the clipboard.
 
 import { download } from './download.js';

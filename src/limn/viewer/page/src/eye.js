@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the picture is taken from: free, turning about a target, or exactly at a photograph.
 
 import { Matrix4, PerspectiveCamera, Quaternion, Vector3 } from 'three';

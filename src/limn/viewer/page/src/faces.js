@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The faces between the curves: a translucent layer, and a mask of depths that hides what is behind.
 
 import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh } from 'three';

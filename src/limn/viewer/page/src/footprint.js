@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The size of a pixel at a place, the unit of the limits of edits: PixelFootprint of
 // src/limn/model/footprint.h, except for what masks and lenses exclude inside photographs.
 

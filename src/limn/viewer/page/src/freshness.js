@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether the file of the drawing beside the page has changed since the page was made. A page that
 // was opened from disk may read no other files, so that this is known only of one that is served.
 

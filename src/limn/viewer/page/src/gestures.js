@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pointers on the canvas: taps, double taps, hovering; wheel, pinch and drag over a photograph (the
 // controls of three.js do it elsewhere).
 

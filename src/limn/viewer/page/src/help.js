@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The help, and what the keys do.
 
 import { make } from './dom.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Edits that are in no file yet, kept by the browser: closing the page loses none. Every opening of a
 // page has an entry of its own, so that none is written over.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Keys to commands, unless a field is being filled in or the help is open (which closes by Escape).
 
 // Keys with Ctrl (on a Mac, Command) are named so: "Ctrl+z", "Ctrl+Shift+z".

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How edits name links: by number and by geometry, in the coordinates of drawing.json.
 
 import { Box3, Vector3 } from 'three';

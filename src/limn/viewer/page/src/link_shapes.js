@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Links as polylines: places along them, parts of them, their directions.
 
 import { Vector3 } from 'three';

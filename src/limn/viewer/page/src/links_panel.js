@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tab "Links": search, the list of links and all about the picked one.
 
 import { facts, make } from './dom.js';

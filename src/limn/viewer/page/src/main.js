@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads the payload and starts the page. `limnViewer` is there for scripts, once it is ready.
 
 import { App } from './app.js';

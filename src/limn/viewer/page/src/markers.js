@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Round marks of a fixed size on the screen, with a rim: junctions and ends.
 
 import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from 'three';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The two-point measuring tool.
 
 import { Vector3 } from 'three';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lines over the picture that stay until they are answered.
 
 import { make } from './dom.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Projections of photographs. Pixels: the center of the top-left pixel is (0, 0); three.js's cameras
 // look along -z with y up, the model's along z with y down.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A grid of the photographs with the drawing over them: what a view supports strong, the rest faint.
 
 import { css } from './colors.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The bytes of src/limn/viewer/payload.h.
 
 const TYPES = {

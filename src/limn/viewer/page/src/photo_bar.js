@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The bar under a photograph that is looked through.
 
 import { make } from './dom.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pictures of the views, decoded when they are first needed: many small ones, and the last few in
 // full, which take much memory.
 

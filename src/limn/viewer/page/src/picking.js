@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What of the drawing is at a place on the screen.
 
 import { Matrix4, Vector3 } from 'three';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which tool of editing the pointer has, and its marks on the picture.
 
 import { make } from './dom.js';

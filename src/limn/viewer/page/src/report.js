@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tab "Report": how the drawing came about. All members of the report are optional.
 
 import { histogram, precisionRecall } from './charts.js';

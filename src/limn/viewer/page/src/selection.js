@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The links that are picked, and ways to pick many of them.
 
 export class Selection {

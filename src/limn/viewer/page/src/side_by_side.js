@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether drawing_editor merges two links: FindBeside and ApplyMerge of
 // src/limn/editing/merge_edit.cc, with the same limits.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tabs beside the picture.
 
 import { make } from './dom.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The picture: what is drawn, and when. Nothing is drawn while nothing changes. While something
 // moves frames are coarse (thin lines, fewer points); a moment after it stops one fine frame follows.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Dark or light: as the system says until the user says otherwise.
 
 export class Theme {

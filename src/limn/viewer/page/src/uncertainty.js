@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How well places and lengths of a drawing are known; as in drawing_span.cc. A place has `position`
 // and, where it is known, `node`, or `link` and the `vertex` before it.
 

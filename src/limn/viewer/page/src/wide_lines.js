@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Polylines that are some pixels wide, with smooth edges, in one draw call. The
 // lines of three.js's examples need multisampling and one instance per segment, which takes seconds
 // where GL is done in software.
