@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "limn/files/text_file.h"
 #include "limn/util/errors.h"
+#include "limn/util/parse_number.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -28,12 +28,9 @@ std::array<std::string_view, 5> FirstWords(std::string_view line, const FilePlac
 }
 
 double Coordinate(std::string_view word, const FilePlace& place) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) {
-    place.Fail("x and y are no finite numbers");
-  }
-  return value;
+  const auto value = ParseNumber<double>(word);
+  if (!value || !std::isfinite(*value)) place.Fail("x and y are no finite numbers");
+  return *value;
 }
 
 void AddMeasurement(const Eigen::Vector2d& relative, uint32_t image_index, ModelPoint* point,

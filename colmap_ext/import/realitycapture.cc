@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include "colmap_ext/workspace/camera_files.h"
 #include "limn/files/text_file.h"
 #include "limn/util/angles.h"
+#include "limn/util/parse_number.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -64,13 +64,11 @@ class Row {
   double Number(std::string_view column) const {
     const auto found = columns_.find(column);
     if (found == columns_.end()) return 0;
-    const std::string_view word = Word(found->second);
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) {
+    const auto value = ParseNumber<double>(Word(found->second));
+    if (!value || !std::isfinite(*value)) {
       place_.Fail("\"" + std::string(column) + "\" is not a finite number");
     }
-    return value;
+    return *value;
   }
   std::string Name() const { return std::string(Word(columns_.find("name")->second)); }
 

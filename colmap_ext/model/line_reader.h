@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <charconv>
 #include <istream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "limn/util/errors.h"
+#include "limn/util/parse_number.h"
 
 namespace limn::colmap_ext {
 
@@ -47,12 +47,10 @@ class Fields {
 
   template <typename T>
   T Number(const char* what) {
-    std::string_view field = Next(what);
-    const std::string_view digits = field.starts_with('+') ? field.substr(1) : field;
-    T value{};
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size()) FailNumber(field, what);
-    return value;
+    const std::string_view field = Next(what);
+    const auto number = ParseSignedNumber<T>(field);
+    if (!number) FailNumber(field, what);
+    return *number;
   }
 
  private:

@@ -2,7 +2,6 @@
 #include "colmap_ext/options/option_parser.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <ostream>
@@ -18,6 +17,7 @@
 #include "limn/util/errors.h"
 #include "limn/util/nearest_word.h"
 #include "limn/util/number_text.h"
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
@@ -33,17 +33,8 @@ constexpr char kProjectPathHelp[] =
     "Read options from this ini file; the command line overrides it.";
 constexpr unsigned kHelpColumns = 100;
 
-template <typename Number>
-std::optional<Number> ParseNumber(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::optional<double> ParseDouble(std::string_view text) {
-  const std::optional<double> value = ParseNumber<double>(text);
+  const auto value = ParseSignedNumber<double>(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
@@ -159,7 +150,7 @@ void OptionParser::AddOption(const std::string& name, double* value, const Optio
 
 void OptionParser::AddOption(const std::string& name, int* value, const OptionHelp& help) {
   const auto set = [value](const std::string& text) -> std::string {
-    const auto parsed = ParseNumber<int>(text);
+    const auto parsed = ParseSignedNumber<int>(text);
     if (!parsed) return "a whole number";
     *value = *parsed;
     return "";

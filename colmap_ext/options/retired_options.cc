@@ -2,7 +2,8 @@
 #include "colmap_ext/options/retired_options.h"
 
 #include <algorithm>
-#include <charconv>
+
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
@@ -109,14 +110,6 @@ constexpr const char* kNewNames[] = {
     "Paper.junction_distance_px",
 };
 
-std::optional<double> AsNumber(const std::string& text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, value);
-  if (parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
-  return value;
-}
-
 }  // namespace
 
 std::span<const RetiredOption> RetiredOptions() { return kRetired; }
@@ -142,8 +135,8 @@ bool IsRetiredWord(std::string_view name, std::string_view word) {
 bool AreSameValue(const std::string& a, const std::string& b) {
   if (a == "false" || a == "true") return AreSameValue(a == "true" ? "1" : "0", b);
   if (a == b) return true;
-  const std::optional<double> number = AsNumber(a);
-  return number && number == AsNumber(b);
+  const std::optional<double> number = ParseNumber<double>(a);
+  return number && number == ParseNumber<double>(b);
 }
 
 }  // namespace limn

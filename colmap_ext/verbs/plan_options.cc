@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "colmap_ext/verbs/plan_options.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "limn/util/errors.h"
+#include "limn/util/parse_number.h"
 
 namespace limn::colmap_ext {
 
@@ -35,10 +35,8 @@ void PlanOptions::Check() const {
 
 std::optional<double> PlanOptions::SectionHeight() const {
   if (section.empty()) return std::nullopt;
-  double height = 0;
-  const char* const end = section.data() + section.size();
-  const auto [rest, error] = std::from_chars(section.data(), end, height);
-  if (error != std::errc() || rest != end || !(std::abs(height) <= kLargest)) {
+  const auto height = ParseNumber<double>(section);
+  if (!height || !(std::abs(*height) <= kLargest)) {
     throw OptionError("section = " + section + ": must be a number from -1e9 to 1e9");
   }
   return height;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstring>
 
 #include "colmap_ext/host/project.h"
@@ -17,6 +16,7 @@
 #include "limn/plans/face_axes.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
+#include "limn/util/parse_number.h"
 #include "limn/viewer/packing.h"
 #include "limn/visibility/face_surface.h"
 #include "limn/visibility/render_depth.h"
@@ -224,12 +224,8 @@ bool SvgSource::IsSheet() const { return view.empty() || Face() || ProjectionOf(
 
 std::optional<int> SvgSource::Face() const {
   if (!view.starts_with(kFaceView)) return std::nullopt;
-  int face = -1;
-  const char* const begin = view.data() + std::strlen(kFaceView);
-  const char* const end = view.data() + view.size();
-  const auto [rest, error] = std::from_chars(begin, end, face);
-  const bool is_number = error == std::errc() && rest == end && face >= 0;
-  return is_number ? std::optional(face) : std::nullopt;
+  const auto face = ParseNumber<int>(std::string_view(view).substr(std::strlen(kFaceView)));
+  return face && *face >= 0 ? face : std::nullopt;
 }
 
 void SvgSource::Check(const LayoutOptions& workspace) const {

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <exception>
 #include <iterator>
 #include <map>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -18,6 +16,7 @@
 #include "colmap_ext/workspace/pmvs_model.h"
 #include "colmap_ext/workspace/refined_folder.h"
 #include "limn/util/errors.h"
+#include "limn/util/parse_number.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -60,12 +59,8 @@ std::vector<std::pair<int, fs::path>> NumberedFolders(const fs::path& folder) {
   std::vector<std::pair<int, fs::path>> folders;
   if (!IsFolder(folder)) return folders;
   for (const fs::path& entry : SortedEntries(folder)) {
-    const std::string name = entry.filename().string();
-    int index = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
-    if (error == std::errc() && end == name.data() + name.size() && index >= 0 && IsFolder(entry)) {
-      folders.emplace_back(index, entry);
-    }
+    const auto index = ParseNumber<int>(entry.filename().string());
+    if (index && *index >= 0 && IsFolder(entry)) folders.emplace_back(*index, entry);
   }
   std::sort(folders.begin(), folders.end());
   return folders;

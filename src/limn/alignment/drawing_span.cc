@@ -11,14 +11,14 @@
 #include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
 #include "limn/util/median.h"
-#include "limn/util/whole_number.h"
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
 
 std::optional<ImagePoint> PixelOf(const std::string& image, const std::string& x,
                                   const std::string& y) {
-  const auto column = WholeNumber<double>(x), row = WholeNumber<double>(y);
+  const auto column = ParseNumber<double>(x), row = ParseNumber<double>(y);
   if (!column || !row) return std::nullopt;
   return ImagePoint{image, {*column, *row}};
 }
@@ -131,10 +131,10 @@ std::optional<DrawingSpan> ParseSpan(const std::string& text) {
   std::smatch match;
   if (std::regex_match(text, match, graph_pattern)) {
     if (match[1].matched) {
-      span.link = *WholeNumber<int>(match[1]);
+      span.link = *ParseNumber<int>(match[1]);
     } else {
-      span.node0 = *WholeNumber<int>(match[2]);
-      span.node1 = *WholeNumber<int>(match[3]);
+      span.node0 = *ParseNumber<int>(match[2]);
+      span.node1 = *ParseNumber<int>(match[3]);
     }
     return span;
   }

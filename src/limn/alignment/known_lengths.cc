@@ -11,8 +11,8 @@
 #include "limn/util/errors.h"
 #include "limn/util/length_unit.h"
 #include "limn/util/number_text.h"
+#include "limn/util/parse_number.h"
 #include "limn/util/printable.h"
-#include "limn/util/whole_number.h"
 
 namespace limn {
 namespace {
@@ -43,7 +43,7 @@ std::optional<double> MetersOf(const std::string& text) {
   static const std::regex pattern(R"(\s*([0-9.eE+-]{1,30})\s*(mm|cm|m|in|ft))");
   std::smatch match;
   if (!std::regex_match(text, match, pattern)) return std::nullopt;
-  const auto number = WholeNumber<double>(match[1]);
+  const auto number = ParseNumber<double>(match[1]);
   return number ? *number * MetersPer(match[2]) : 0;
 }
 

@@ -14,8 +14,8 @@
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
+#include "limn/util/parse_number.h"
 #include "limn/util/printable.h"
-#include "limn/util/whole_number.h"
 
 namespace limn {
 namespace {
@@ -44,7 +44,7 @@ std::optional<double> AngleOf(const std::string& text) {
   std::smatch match;
   if (!std::regex_match(text, match, pattern)) return std::nullopt;
   if (match[2].matched) return NamedDeg(match[2]);
-  const auto number = WholeNumber<double>(match[1]);
+  const auto number = ParseNumber<double>(match[1]);
   return number && std::abs(*number) <= 360 ? number : std::nullopt;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limn/files/text_scanner.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "limn/util/errors.h"
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
@@ -35,15 +35,12 @@ std::string_view TextScanner::Word(const char* what) {
 }
 
 double TextScanner::Number(const char* what) {
-  std::string_view word = Word(what);
-  const std::string shown(word.substr(0, 40));
-  if (word.front() == '+') word.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) {
-    Fail(std::string(what) + " expected, not \"" + shown + "\"");
+  const std::string_view word = Word(what);
+  const auto value = ParseSignedNumber<double>(word);
+  if (!value) {
+    Fail(std::string(what) + " expected, not \"" + std::string(word.substr(0, 40)) + "\"");
   }
-  return value;
+  return *value;
 }
 
 double TextScanner::FiniteNumber(const char* what) {

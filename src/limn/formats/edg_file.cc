@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/edg_file.h"
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <ostream>
@@ -11,6 +10,7 @@
 #include "limn/formats/check_edgel.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
@@ -29,9 +29,7 @@ std::string WithoutBrackets(std::string text) {
 std::optional<double> ValueOf(std::string_view line, std::string_view key) {
   if (!line.starts_with(key)) return std::nullopt;
   line.remove_prefix(key.size());
-  double value = 0;
-  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), value);
-  return error == std::errc() ? std::optional(value) : std::nullopt;
+  return ParseNumber<double>(line.substr(0, line.find_first_of(" \t\r")));
 }
 
 struct EdgHeader {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/limap_structures.h"
 
-#include <charconv>
 #include <cmath>
 #include <unordered_map>
 #include <unordered_set>
@@ -11,6 +10,7 @@
 #include "limn/files/whole_file.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
@@ -54,11 +54,12 @@ class TextLimapReader {
       value = scanner_.FiniteNumber(what);
     } else {
       const std::string_view word = scanner_.Word(what);
-      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-      if (error != std::errc() || end != word.data() + word.size()) {
+      const auto number = ParseNumber<T>(word);
+      if (!number) {
         scanner_.Fail(std::string(what) + " expected, not \"" + std::string(word.substr(0, 40)) +
                       "\"");
       }
+      value = *number;
     }
   }
   // The count is not believed before the items are there.

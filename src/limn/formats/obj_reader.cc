@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limn/formats/obj_reader.h"
 
-#include <charconv>
-
 #include "limn/files/text_file.h"
 #include "limn/files/text_scanner.h"
 #include "limn/formats/curve_chains.h"
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
@@ -83,13 +82,10 @@ class ObjParser {
   // "7", "7/3" or relative to the end "-1"; counts from 1.
   int VertexIndex() {
     const std::string_view word = scanner_->Word("vertex index");
-    const std::string_view digits = word.substr(0, word.find('/'));
-    long value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    long value = ParseNumber<long>(word.substr(0, word.find('/'))).value_or(0);
     const long count = static_cast<long>(soup_.vertices.size());
     if (value < 0) value += count + 1;
-    if (error != std::errc() || end != digits.data() + digits.size() || value < 1 ||
-        value > count) {
+    if (value < 1 || value > count) {
       std::string reason = "vertex index \"";
       reason.append(word.substr(0, 40)).append("\" is none of the ");
       scanner_->Fail(reason + std::to_string(count) + " vertices so far");

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstring>
 #include <sstream>
 #include <utility>
 
 #include "limn/util/errors.h"
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
@@ -124,11 +124,9 @@ class HeaderParser {
     PlyElement element;
     std::string count;
     *line >> element.name >> count;
-    const auto [end, error] =
-        std::from_chars(count.data(), count.data() + count.size(), element.count);
-    if (count.empty() || error != std::errc() || end != count.data() + count.size()) {
-      Fail("element needs a name and a count");
-    }
+    const auto number = ParseNumber<decltype(element.count)>(count);
+    if (!number) Fail("element needs a name and a count");
+    element.count = *number;
     // Readers keep what belongs together from element to element.
     for (const PlyElement& other : header_.elements) {
       if (other.name == element.name) {

@@ -16,6 +16,7 @@
 #include "limn/formats/ply_header.h"
 #include "limn/formats/ply_values.h"
 #include "limn/util/errors.h"
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
@@ -301,13 +302,9 @@ class PlyMover {
   }
 
   double NumberIn(std::string_view field) const {
-    double value = 0;
-    const char* const field_end = field.data() + field.size();
-    const auto [end, error] = std::from_chars(field.data(), field_end, value);
-    if (error != std::errc() || end != field_end) {
-      FailAtLine("\"" + std::string(field.substr(0, 40)) + "\" is not a number");
-    }
-    return value;
+    const auto value = ParseNumber<double>(field);
+    if (!value) FailAtLine("\"" + std::string(field.substr(0, 40)) + "\" is not a number");
+    return *value;
   }
 
   void Put(size_t size) {

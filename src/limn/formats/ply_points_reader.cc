@@ -2,7 +2,6 @@
 #include "limn/formats/ply_points_reader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -12,6 +11,7 @@
 #include "limn/files/whole_file.h"
 #include "limn/formats/ply_header.h"
 #include "limn/util/errors.h"
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
@@ -96,11 +96,9 @@ class PointReader {
       std::string field;
       size_t p = 0;
       for (; p < values.size() && fields >> field; ++p) {
-        const auto [end, error] =
-            std::from_chars(field.data(), field.data() + field.size(), values[p]);
-        if (error != std::errc() || end != field.data() + field.size()) {
-          Fail("line", number, "\"" + field.substr(0, 40) + "\" is not a number");
-        }
+        const auto value = ParseNumber<double>(field);
+        if (!value) Fail("line", number, "\"" + field.substr(0, 40) + "\" is not a number");
+        values[p] = *value;
       }
       if (p == 0) continue;  // a blank line
       if (p < values.size()) Fail("line", number, "too few numbers");

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limn/pipeline/shard.h"
 
-#include <charconv>
 #include <numeric>
 #include <string_view>
 
 #include "limn/pipeline/sketch_views.h"
 #include "limn/util/errors.h"
+#include "limn/util/parse_number.h"
 
 namespace limn {
 namespace {
-
-bool ReadNumber(std::string_view text, int* number) {
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, *number);
-  return error == std::errc() && rest == end;
-}
 
 StageSummary OfShard(StageSummary summary, const Shard& shard) {
   summary.stage += ", shard " + std::to_string(shard.index) + "/" + std::to_string(shard.count);
@@ -25,15 +19,14 @@ StageSummary OfShard(StageSummary summary, const Shard& shard) {
 }  // namespace
 
 Shard ParseShard(const std::string& text) {
-  Shard shard;
-  const size_t slash = text.find('/');
-  const bool is_read = slash != std::string::npos &&
-                       ReadNumber(std::string_view(text).substr(0, slash), &shard.index) &&
-                       ReadNumber(std::string_view(text).substr(slash + 1), &shard.count);
-  if (!is_read || shard.index < 1 || shard.index > shard.count) {
+  const size_t slash = std::min(text.find('/'), text.size());
+  const auto index = ParseNumber<int>(text.substr(0, slash));
+  const auto count =
+      ParseNumber<int>(std::string_view(text).substr(std::min(slash + 1, text.size())));
+  if (!index || !count || *index < 1 || *index > *count) {
     throw OptionError("shard = " + text + ": must be i/n with 1 <= i <= n");
   }
-  return shard;
+  return {*index, *count};
 }
 
 std::vector<ViewId> ItemsOf(const Shard& shard, size_t num_items) {

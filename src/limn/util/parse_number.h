@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+namespace limn {
+
+// As ParseNumber, where the standard library reads no floating numbers (libc++ before 20).
+std::optional<double> ParseDoubleByStream(std::string_view text);
+
+// The number that is all of a text, as std::from_chars reads it: with a point as the decimal sign
+// in every locale, without blanks or a plus. Nothing for other texts and for numbers that the type
+// cannot hold.
+template <typename Number>
+std::optional<Number> ParseNumber(std::string_view text) {
+#ifndef __cpp_lib_to_chars
+  if constexpr (std::is_floating_point_v<Number>) {
+    static_assert(std::is_same_v<Number, double>);
+    return ParseDoubleByStream(text);
+  } else {
+#else
+  {
+#endif
+    Number number{};
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, number);
+    if (error != std::errc() || end != last) return std::nullopt;
+    return number;
+  }
+}
+
+// The same with a plus that some programs write.
+template <typename Number>
+std::optional<Number> ParseSignedNumber(std::string_view text) {
+  return ParseNumber<Number>(text.starts_with('+') ? text.substr(1) : text);
+}
+
+}  // namespace limn
