@@ -8,13 +8,15 @@ set -euo pipefail
 data=$(realpath "${1:-$(dirname "$0")/../../shared/data}")
 cd "$(dirname "$0")/.."
 
-sets=sample-day,pavilion-midday,pavilion-mixed,room,vase
-rm -f build/quality/report.json
+rm -rf build/quality build/quality_quick
 scripts/stereo_worth.sh
-scripts/quality_report.sh --sets $sets --data_path "$data"
+scripts/quality_report.sh --sets sample-day,pavilion-midday,pavilion-mixed,room,vase --data_path "$data"
+build/release/tests/bench/quality_report --output_path build/quality_quick --quick 1 --data_path "$data" \
+  --sets sample-mixed,bench,abc-00000952,abc-00004926,herz-jesu-p8,desk,book
 scripts/pose_ladder.sh --data_path "$data"
 scripts/measure_street.sh
 scripts/benchmark.sh methods
-/usr/bin/python3 scripts/bench/results_page.py build/quality/report.json "$(git describe --always --dirty)" datasets build/ladder/ladder.md \
-  build/stereo_worth/section.md build/street/section.md build/benchmark/section.md
+/usr/bin/python3 scripts/bench/results_page.py --commit "$(git describe --always --dirty)" --report build/quality/report.json \
+  --report build/quality_quick/report.json --section build/ladder/ladder.md --section build/stereo_worth/section.md \
+  --section build/street/section.md --section build/benchmark/section.md datasets
 echo "Look at: datasets/RESULTS.md"

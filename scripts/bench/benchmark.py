@@ -17,17 +17,13 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
-import cv2
-import numpy as np
-
+from degraded_images import SEED, replace_images
 from measured_run import CommandFailed, Run, main
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build/release"
 OUTPUT = ROOT / "build/benchmark"
 LIMN = BUILD / "limn"
-SEED = 1
-JPEG_QUALITY = 95
 
 
 @dataclass
@@ -63,34 +59,13 @@ METHODS = {
 }
 
 
-def degraded(image, rung, random):
-    if rung.scale != 1:
-        way = cv2.INTER_AREA if rung.scale < 1 else cv2.INTER_CUBIC
-        image = cv2.resize(image, None, fx=rung.scale, fy=rung.scale, interpolation=way)
-    if rung.blur_px:
-        image = cv2.GaussianBlur(image, (0, 0), rung.blur_px)
-    if rung.noise:
-        image = np.clip(image + random.normal(0, rung.noise, image.shape), 0, 255).round().astype(np.uint8)
-    return image
-
-
 def make_input(name):
     """The workspace of a rung; the same bytes every time."""
     rung, folder = RUNGS[name], OUTPUT / name
     shutil.rmtree(folder, ignore_errors=True)
     Run([BUILD / "tests/bench/pose_noise", "--set", "sample-day", "--seed", SEED, "--scale", rung.scale, *rung.camera_options,
          "--output_path", folder])
-    originals = (folder / "images").resolve()
-    (folder / "images").unlink()
-    (folder / "images").mkdir()
-    random = np.random.default_rng(SEED)
-    for path in sorted(originals.iterdir()):
-        target = folder / "images" / path.name
-        if rung.scale == 1 and not rung.blur_px and not rung.noise:
-            shutil.copy(path, target)
-            continue
-        image = degraded(cv2.imread(str(path), cv2.IMREAD_COLOR), rung, random)
-        cv2.imwrite(str(target), image, [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])
+    replace_images(folder, rung.scale, rung.blur_px, rung.noise)
     return folder
 
 

@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws data sets with cameras that are wrong, more and more, as they are given and refined, and compares with exact ones.
+"""Draws data sets with cameras that are wrong, more and more, as they are given and refined, and with larger and smaller
+images, and compares with exact cameras.
 
-    pose_ladder.py --limn LIMN --pose_noise POSE_NOISE --output_path FOLDER [--sets room] [--errors 0,1] [--seeds 1]
+    pose_ladder.py --limn LIMN --pose_noise POSE_NOISE --output_path FOLDER [--sets room] [--errors 0,1] [--seeds 1,2]
 
 Errors are px (tests/bench/pose_noise.cc), `turned` for a camera turned by 5 degrees, models that a set has beside the exact
-one, or what COLMAP makes of the photographs (`colmap-SIMPLE_RADIAL`); exact cameras always are the first row. Every run
-leaves its figures in FOLDER/<set>/<error>-<seed>/; runs of the same commit are not repeated. FOLDER/ladder.md and ladder.csv
-have what was asked for. scripts/pose_ladder.sh builds and calls it.
+one, what COLMAP makes of the photographs (`colmap-SIMPLE_RADIAL`), or `scale-2`: images enlarged twice; exact cameras always
+are the first row. Every run leaves its figures in FOLDER/<set>/<error>-<seed>/; runs of the same commit are not repeated.
+FOLDER/ladder.md and ladder.csv have what was asked for. scripts/pose_ladder.sh builds and calls it.
 """
 
 import argparse
@@ -21,13 +22,14 @@ from measured_run import CommandFailed, Run, main
 
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLE_SETS = ["sample-day", "sample-mixed"]
-DATA_SETS = ["room", "pavilion-midday", "pavilion-mixed", "bench", "herz-jesu-p8"]
+DATA_SETS = ["room", "pavilion-midday", "pavilion-mixed", "vase", "abc-00000952", "abc-00004926", "bench", "herz-jesu-p8"]
 EXACT = "0"
-PX_ERRORS = ["0.25", "0.5", "1", "3", "5"]
+PX_ERRORS = ["0.5", "3"]  # as structure from motion leaves them, rough
+SCALES = {"scale-0.5": 0.5, "scale-2": 2}
 TURNED, TURNED_DEG = "turned", 5
 COLMAP = {f"colmap-{model}": model for model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL")}
 GIVEN_MODELS = {"bench": ["sparse-sfm", "sparse-rough"]}
-ERRORS = {"sample-day": [*PX_ERRORS, *COLMAP], "pavilion-midday": [*PX_ERRORS, *COLMAP], "herz-jesu-p8": [*COLMAP], **GIVEN_MODELS}
+ERRORS = {"herz-jesu-p8": [*COLMAP], **{name: [*models, *SCALES] for name, models in GIVEN_MODELS.items()}}
 CAMERA_KEYS = ["num_images", "center", "rotation_px", "rotation_deg", "ray_px", "focal", "num_wrong"]
 CSV_KEYS = ["set", "error", "seed", "refine_cameras", "commit", "failure", "unit", "tau_1", "f_1", "tau_2", "f_2", "links",
             *CAMERA_KEYS, "refined", "cpu_seconds", "seconds", "peak_mb"]
@@ -44,8 +46,8 @@ def is_random(error):
 def errors_of(name, asked):
     """Exact cameras, and what was asked for that the set has; by default those of ERRORS, or px."""
     known = GIVEN_MODELS.get(name, [])
-    errors = asked or ERRORS.get(name, PX_ERRORS)
-    return [EXACT, *(error for error in errors if is_random(error) or error in COLMAP or error in known)]
+    errors = asked or ERRORS.get(name, [*PX_ERRORS, *SCALES])
+    return [EXACT, *(error for error in errors if is_random(error) or error in (*COLMAP, *SCALES, *known))]
 
 
 def cases_of(name, arguments):
@@ -56,7 +58,7 @@ def cases_of(name, arguments):
 
 def ways_of(error):
     """Values of --refine_cameras."""
-    return ["0", "auto", "1"] if error in COLMAP else ["0", "auto"]
+    return ["auto"] if error in (EXACT, *SCALES) else ["0", "auto"]
 
 
 def make_workspace(arguments, name, error, seed, folder):
@@ -64,6 +66,10 @@ def make_workspace(arguments, name, error, seed, folder):
     if error in COLMAP:
         Run([*command, "--error_px", 0])  # for the images
         return Run([*command, "--given_model", reconstruct(folder / "images", COLMAP[error], folder.parent / "colmap")])
+    if error in SCALES:
+        from degraded_images import replace_images  # needs OpenCV
+        Run([*command, "--scale", SCALES[error]])
+        return replace_images(folder, SCALES[error])
     if error == TURNED:
         return Run([*command, "--turned_deg", TURNED_DEG, "--seed", seed])
     return Run([*command, "--error_px", error, "--seed", seed] if is_px(error) else [*command, "--given_model", f"{error}/0"])
@@ -145,7 +151,7 @@ def table_row(runs, exact):
     return [f"{error} px" if is_px(error) else error, str(runs[0]["seed"]), cell("f_1", percent), cell("f_2", percent), relative,
             cell("center", short), cell("rotation_px", short), cell("ray_px", short),
             cell("focal", lambda share: percent(share, 3)), cell("refined", lambda refined: "yes" if refined else "no"),
-            cell("cpu_seconds", short)]
+            cell("links", lambda number: "-" if number is None else str(number)), cell("cpu_seconds", short)]
 
 
 def markdown(cases):
@@ -156,19 +162,20 @@ def markdown(cases):
         exact = of_set[0][0]
         unit = " px" if exact.get("unit") == "footprint" else ""
         heads = ["cameras off by", "seed", *(f"F at {short(exact.get(f'tau_{i}'))}{unit}" for i in (1, 2)), "of exact, %",
-                 "centers off", "rotations, px", "rays, px", "focal lengths, %", "refined", "CPU s"]
+                 "centers off", "rotations, px", "rays, px", "focal lengths, %", "refined", "links", "CPU s"]
         lines = [heads, ["---"] * len(heads), *(table_row(runs, exact) for runs in of_set)]
         text += f"**{name}**\n\n" + "".join(f"| {' | '.join(line)} |\n" for line in lines) + "\n"
     return text
 
 
-HEAD = """## Wrong cameras
+HEAD = """## Wrong cameras, other sizes
 
-Written by `scripts/pose_ladder.sh` at {commit}. Cells: drawn with `--refine_cameras 0` / `auto` (/ `1`). Cameras are off in their rotations about
-the x and y axes and their centers along each axis by that many px (standard deviation); or they are a model that the set has, or what COLMAP makes of
-the photographs with one camera of a model. All is judged in the frame of the true cameras (`drawing_evaluator --true_model_path`), where centers
-(unit of the model), rotations, rays through the same pixels and focal lengths are off by what the table says, in the median. *Of exact*: F of the
-last way, relative to drawing with exact cameras; *refined*: whether cameras were changed.
+Written by `scripts/pose_ladder.sh` at {commit}. Cells: drawn with `--refine_cameras 0` / `auto`; where there is one figure, with `auto`. Cameras are
+off in their rotations about the x and y axes and their centers along each axis by that many px (standard deviation); or they are a model that the set
+has, or what COLMAP makes of the photographs with one camera of a model (herz-jesu-p8: against cameras from LIDAR). `scale-2`: images enlarged twice.
+All is judged in the frame of the true cameras (`drawing_evaluator --true_model_path`) and in their pixels, where centers (unit of the model), rotations,
+rays through the same pixels and focal lengths are off by what the table says, in the median. *Of exact*: F of the last way, relative to drawing the
+set as it is; *refined*: whether cameras were changed.
 
 """
 
@@ -190,10 +197,10 @@ def parsed():
     parser.add_argument("--output_path", required=True, type=Path)
     parser.add_argument("--data_path", default=ROOT.parent / "shared/data", type=Path)
     parser.add_argument("--sets", type=words, default=[], help="by default the sample and, where there are data, all")
-    parser.add_argument("--errors", type=words, default=[], help="px, turned, a set's own models, or " + ", ".join(COLMAP))
-    parser.add_argument("--seeds", type=words, default=["1", "2"])
+    parser.add_argument("--errors", type=words, default=[], help="px, turned, a set's own models, or " + ", ".join((*COLMAP, *SCALES)))
+    parser.add_argument("--seeds", type=words, default=["1"])
     arguments = parser.parse_args()
-    known = [TURNED, *COLMAP, *sum(GIVEN_MODELS.values(), [])]
+    known = [TURNED, *COLMAP, *SCALES, *sum(GIVEN_MODELS.values(), [])]
     for error in arguments.errors:
         if not is_px(error) and error not in known:
             parser.error(f"--errors: {error}: must be a number of px or among {', '.join(known)}")

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Write the page of results from a complete quality report: tables, what is ahead of Limn, and pictures.
+"""Write the page of results from complete quality reports: tables, what is ahead of Limn, and pictures.
 
-    scripts/bench/results_page.py report.json COMMIT FOLDER [SECTION.md ...]
+    scripts/bench/results_page.py --commit COMMIT --report report.json [--report ...] [--section SECTION.md ...] FOLDER
 
 The sections, which other benchmarks wrote, are appended. Writes FOLDER/RESULTS.md and FOLDER/results/*.png. scripts/reproduce_results.sh calls it.
 """
 
+import argparse
 import json
 import sys
 from pathlib import Path
@@ -190,6 +191,27 @@ def missing(data_sets):
     return f"**Left out**, not there when this was made: {', '.join(paths)}.\n\n" if paths else ""
 
 
+def distances(of):
+    return f"{of['median_px']:.2f} / {of['p90_px']:.2f} ({percent(of['lonely'])})" if of["count"] else "-"
+
+
+def photographs(data_sets):
+    """What views show that were held out, of data sets without truth."""
+    text = """## Photographs
+
+There is no truth: one view in ten is held out. *To edgels*: from the curves that its two neighbors show, projected into it, to its linked edgels; *from
+edgels*: from these, of fragments of 20 px or more, to the projected curves; px, median / 90 %, at most 10 (the share without any nearer, %). All
+methods look for the same edgels; [what is measured](../tests/README.md#the-quality-report).
+
+"""
+    for data_set in data_sets:
+        text += f"**{data_set['name']}**, {data_set['num_views']} views, {data_set['num_held_out']} held out:\n\n"
+        text += table(["", "to edgels", "from edgels", "curves", "CPU s"],
+                      [[run["method"], distances(run["held_out"]["to_edgels"]), distances(run["held_out"]["from_edgels"]),
+                        str(run["shape"]["num_links"]), f"{run['cpu_seconds']:.1f}"] for run in default_runs(data_set)])
+    return text
+
+
 def page(data_sets, commit, pictures):
     text = HEAD.format(commit=commit) + commands(data_sets[0])
     text += ("Swept: the number of supporting views, of the original sketch the total of inliers. Other programs: stored results.\n\n"
@@ -204,37 +226,46 @@ def page(data_sets, commit, pictures):
             text += f"**{data_set['name']}**, {data_set['num_views']} views:\n\n"
             text += data_set_table(data_set)
             text += "<details><summary>sweep</summary>\n\n" + sweep_table(data_set) + "</details>\n\n"
-    return text.rstrip() + "\n"
+    return text
 
 
-def check_complete(source, data_sets):
-    """All methods on all data sets, with their default options."""
+def sets_of(report):
+    """The data sets of a report, all with all methods and their default options."""
+    try:
+        data_sets = json.loads(report.read_text(encoding="utf-8"))["sets"]
+    except (OSError, ValueError, KeyError) as error:
+        sys.exit(f"ERROR: {report}: {error}")
     for data_set in data_sets:
-        if data_set is None or data_set["ceiling"] is None:
-            sys.exit(f"ERROR: {source}: a data set has no truth, or was not measured")
-        methods = {run["method"] for run in default_runs(data_set)}
-        if not methods.issuperset(ORDER):
-            sys.exit(f"ERROR: {source}: {data_set['name']}: not all methods were measured")
+        if data_set is None:
+            sys.exit(f"ERROR: {report}: a data set was not measured")
+        if not {run["method"] for run in default_runs(data_set)}.issuperset(ORDER):
+            sys.exit(f"ERROR: {report}: {data_set['name']}: not all methods were measured")
+    return data_sets
 
 
 def main():
-    if len(sys.argv) < 4:
-        sys.exit("usage: results_page.py report.json COMMIT FOLDER [SECTION.md ...]")
-    source, commit, folder = Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3])
-    try:
-        sections = [Path(path).read_text(encoding="utf-8").strip() for path in sys.argv[4:]]
-        data_sets = json.loads(source.read_text(encoding="utf-8"))["sets"]
-    except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"ERROR: {source}: {error}")
-    check_complete(source, data_sets)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--commit", required=True)
+    parser.add_argument("--report", required=True, type=Path, action="append")
+    parser.add_argument("--section", type=Path, action="append", default=[])
+    parser.add_argument("folder", type=Path)
+    arguments = parser.parse_args()
+    data_sets = [data_set for report in arguments.report for data_set in sets_of(report)]
+    judged = [data_set for data_set in data_sets if data_set["ceiling"]]
+    others = [data_set for data_set in data_sets if not data_set["ceiling"]]
+    if not judged:
+        sys.exit("ERROR: no data set has a truth")
+    sections = [path.read_text(encoding="utf-8").strip() for path in arguments.section]
+    folder = arguments.folder
     (folder / "results").mkdir(exist_ok=True)
     pictures = {}
-    for name, group in plot_quality.groups_of({"sets": data_sets}).items():
+    for name, group in plot_quality.groups_of({"sets": judged}).items():
         pictures[name] = folder / "results" / f"precision-recall-{name}.png"
         rows = [(box, "precision") for box in group[0]["boxes"]]
         rows.append((group[0]["boxes"][-1], "sample_precision"))
         plot_quality.draw_group(group, rows, pictures[name], PICTURE_DPI)
-    (folder / "RESULTS.md").write_text("\n".join([page(data_sets, commit, pictures), *(f"{text}\n" for text in sections)]), encoding="utf-8")
+    text = page(judged, arguments.commit, pictures) + (photographs(others) if others else "")
+    (folder / "RESULTS.md").write_text("\n\n".join([text.rstrip(), *sections]) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

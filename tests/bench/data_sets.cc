@@ -145,7 +145,8 @@ std::vector<DataSet> KnownDataSets(const std::string& data_path, const std::stri
           Room(data_path),
           Bench(data_path),
           WithoutTruth(data_path, "herz-jesu-p8"),
-          WithoutTruth(data_path, "desk")};
+          WithoutTruth(data_path, "desk"),
+          WithoutTruth(data_path, "book")};
 }
 
 bool IsPresent(const DataSet& set) { return std::filesystem::is_directory(set.workspace_path); }

@@ -121,10 +121,8 @@ void KeepViews(size_t num_views, SparseModel* model) {
 // Of pictures that were made larger or smaller by this factor.
 void ScaleCameras(double scale, SparseModel* model) {
   for (auto& camera : model->cameras) {
-    if (camera.model != colmap_ext::CameraModelId::kPinhole) {
-      throw InputError("--scale: the set has other cameras than PINHOLE");
-    }
-    for (double& param : camera.params) param *= scale;
+    const auto* known = colmap_ext::FindCameraModel(static_cast<int32_t>(camera.model));
+    for (int i = 0; i < known->num_focals + 2; ++i) camera.params[i] *= scale;
     camera.width = static_cast<uint64_t>(std::lround(scale * camera.width));
     camera.height = static_cast<uint64_t>(std::lround(scale * camera.height));
   }

@@ -27,13 +27,26 @@ nlohmann::json ReadJson(const std::filesystem::path& path) {
   return nlohmann::json::parse(in);
 }
 
+// The same data set once more, as one without truth.
+void AddPhotographs(const std::filesystem::path& report_path) {
+  nlohmann::json report = ReadJson(report_path);
+  nlohmann::json set = report.at("sets").at(0);
+  set["name"] = "desk";
+  set["ceiling"] = nullptr;
+  for (nlohmann::json& run : set["runs"]) run["truth"] = nullptr;
+  report["sets"].push_back(set);
+  std::ofstream(report_path) << report;
+}
+
 // The page of a report with these files: a row per method, a picture.
 void ExpectPageOfResults(const std::filesystem::path& folder) {
   const std::string python = "/usr/bin/python3";
   if (RunProgram(python, {"-c", "import matplotlib"}).exit_code != 0) return;  // no pictures
+  AddPhotographs(folder / "report.json");
   const LimnRun run =
       RunProgram(python, {LIMN_SOURCE_DIR "/scripts/bench/results_page.py",
-                          (folder / "report.json").string(), "abcdef", folder.string()});
+                          "--commit", "abcdef", "--report", (folder / "report.json").string(),
+                          folder.string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const std::string page = ReadText(folder / "RESULTS.md");
   for (const char* method :
@@ -41,6 +54,7 @@ void ExpectPageOfResults(const std::filesystem::path& folder) {
     EXPECT_THAT(page, HasSubstr("| " + std::string(method) + " | "));
   }
   EXPECT_THAT(page, HasSubstr("at commit abcdef"));
+  EXPECT_THAT(page, HasSubstr("**desk**, 24 views, 2 held out:"));
   EXPECT_THAT(page, HasSubstr("`curves/enhanced-sketch.ply` of `limn automatic_drawer"));
   EXPECT_TRUE(std::filesystem::exists(folder / "results/precision-recall-sample.png"));
 }

@@ -27,8 +27,9 @@ class Cases(unittest.TestCase):
         self.assertEqual(cases_of("room", ["1", "0"]), [("0", "1"), ("1", "1"), ("1", "2")])
 
     def test_models_are_those_of_the_set(self):
-        self.assertEqual(cases_of("bench"), [("0", "1"), ("sparse-sfm", "1"), ("sparse-rough", "1")])
+        self.assertEqual(cases_of("bench"), [("0", "1"), ("sparse-sfm", "1"), ("sparse-rough", "1"), ("scale-0.5", "1"), ("scale-2", "1")])
         self.assertEqual(cases_of("room", ["sparse-sfm"]), [("0", "1")])
+        self.assertEqual(cases_of("herz-jesu-p8"), [("0", "1"), ("colmap-SIMPLE_PINHOLE", "1"), ("colmap-SIMPLE_RADIAL", "1")])
         self.assertEqual(cases_of("room", ["colmap-SIMPLE_RADIAL", "turned"]),
                          [("0", "1"), ("colmap-SIMPLE_RADIAL", "1"), ("turned", "1"), ("turned", "2")])
 
@@ -48,7 +49,12 @@ class Tables(unittest.TestCase):
         table = ladder.markdown([exact, wrong])
         self.assertIn("F at 1 px | F at 2 px", table)
         self.assertIn("| 1 px | 1 | 20.0 / 60.0 | 20.0 / 60.0 | 75.0 | - / - | 1.6 / 0.1 |", table)
-        self.assertIn("| no / yes |", table)
+        self.assertIn("| no / yes | - / - |", table)
+
+    def test_sizes_are_drawn_in_one_way(self):
+        table = ladder.markdown([[run("auto", f=0.8)], [run("auto", "scale-2", 0.6, links=12, refined=False, cpu_seconds=7)]])
+        self.assertIn("| scale-2 | 1 | 60.0 | 60.0 | 75.0 |", table)
+        self.assertIn("| no | 12 | 7 |", table)
 
     def test_failures_are_empty(self):
         failed = {"set": "room", "error": "5", "seed": "1", "failure": "exit code 1"}

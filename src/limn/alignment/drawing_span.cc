@@ -131,10 +131,10 @@ std::optional<DrawingSpan> ParseSpan(const std::string& text) {
   std::smatch match;
   if (std::regex_match(text, match, graph_pattern)) {
     if (match[1].matched) {
-      span.link = *ParseNumber<int>(match[1]);
+      span.link = *ParseNumber<int>(match.str(1));
     } else {
-      span.node0 = *ParseNumber<int>(match[2]);
-      span.node1 = *ParseNumber<int>(match[3]);
+      span.node0 = *ParseNumber<int>(match.str(2));
+      span.node1 = *ParseNumber<int>(match.str(3));
     }
     return span;
   }

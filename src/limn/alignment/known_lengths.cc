@@ -43,7 +43,7 @@ std::optional<double> MetersOf(const std::string& text) {
   static const std::regex pattern(R"(\s*([0-9.eE+-]{1,30})\s*(mm|cm|m|in|ft))");
   std::smatch match;
   if (!std::regex_match(text, match, pattern)) return std::nullopt;
-  const auto number = ParseNumber<double>(match[1]);
+  const auto number = ParseNumber<double>(match.str(1));
   return number ? *number * MetersPer(match[2]) : 0;
 }
 

@@ -44,7 +44,7 @@ std::optional<double> AngleOf(const std::string& text) {
   std::smatch match;
   if (!std::regex_match(text, match, pattern)) return std::nullopt;
   if (match[2].matched) return NamedDeg(match[2]);
-  const auto number = ParseNumber<double>(match[1]);
+  const auto number = ParseNumber<double>(match.str(1));
   return number && std::abs(*number) <= 360 ? number : std::nullopt;
 }
 

@@ -5,31 +5,27 @@
 #include <limits>
 #include <utility>
 
-#include <flann/algorithms/dist.h>
-#include <flann/algorithms/kdtree_single_index.h>
-
+#include "limn/geometry/kd_tree.h"
 #include "limn/util/errors.h"
 
 namespace limn {
 namespace {
 
-constexpr int kLeafSize = 16;
-using KdTree = flann::KDTreeSingleIndex<flann::L2_Simple<double>>;
 using Neighbor = SpatialIndex::Neighbor;
 
-// FLANN's own result sets allocate per query and break ties by the order of the tree.
-class NearestResult : public flann::ResultSet<double> {
+// The libraries' own result sets allocate per query and break ties by the order of the tree.
+class NearestResult {
  public:
-  bool full() const override { return best_.index >= 0; }
-  void addPoint(double squared_distance, size_t index) override {
+  bool full() const { return best_.index >= 0; }
+  void addPoint(double squared_distance, size_t index) {
     const int candidate = static_cast<int>(index);
     if (squared_distance < best_.squared_distance ||
         (squared_distance == best_.squared_distance && candidate < best_.index)) {
       best_ = {candidate, squared_distance};
     }
   }
-  // FLANN keeps what is strictly closer than this; one step up lets ties through.
-  double worstDist() const override {
+  // The trees keep what is strictly closer than this; one step up lets ties through.
+  double worstDist() const {
     return std::nextafter(best_.squared_distance, std::numeric_limits<double>::infinity());
   }
   const Neighbor& best() const { return best_; }
@@ -42,11 +38,11 @@ bool IsNearer(const Neighbor& a, const Neighbor& b) {
   return std::pair(a.squared_distance, a.index) < std::pair(b.squared_distance, b.index);
 }
 
-class NearestOnesResult : public flann::ResultSet<double> {
+class NearestOnesResult {
  public:
   NearestOnesResult(size_t count, std::vector<Neighbor>* heap) : count_(count), heap_(heap) {}
-  bool full() const override { return heap_->size() == count_; }
-  void addPoint(double squared_distance, size_t index) override {
+  bool full() const { return heap_->size() == count_; }
+  void addPoint(double squared_distance, size_t index) {
     const Neighbor candidate{static_cast<int>(index), squared_distance};
     if (full()) {
       if (!IsNearer(candidate, heap_->front())) return;
@@ -56,7 +52,7 @@ class NearestOnesResult : public flann::ResultSet<double> {
     heap_->push_back(candidate);
     std::push_heap(heap_->begin(), heap_->end(), IsNearer);
   }
-  double worstDist() const override {
+  double worstDist() const {
     const double infinity = std::numeric_limits<double>::infinity();
     return full() ? std::nextafter(heap_->front().squared_distance, infinity) : infinity;
   }
@@ -66,15 +62,15 @@ class NearestOnesResult : public flann::ResultSet<double> {
   std::vector<Neighbor>* heap_;  // farthest in front
 };
 
-class WithinResult : public flann::ResultSet<double> {
+class WithinResult {
  public:
   WithinResult(double squared_radius, std::vector<Neighbor>* found)
       : squared_radius_(squared_radius), found_(found) {}
-  bool full() const override { return true; }
-  void addPoint(double squared_distance, size_t index) override {
+  bool full() const { return true; }
+  void addPoint(double squared_distance, size_t index) {
     found_->push_back({static_cast<int>(index), squared_distance});
   }
-  double worstDist() const override { return squared_radius_; }
+  double worstDist() const { return squared_radius_; }
 
  private:
   double squared_radius_;
@@ -87,12 +83,7 @@ struct SpatialIndex::Tree {
   std::vector<Eigen::Vector3d> points;
   KdTree kd_tree;
 
-  explicit Tree(const std::vector<Eigen::Vector3d>& input)
-      : points(input),
-        kd_tree(flann::Matrix<double>(points.front().data(), points.size(), 3),
-                flann::KDTreeSingleIndexParams(kLeafSize)) {
-    kd_tree.buildIndex();
-  }
+  explicit Tree(const std::vector<Eigen::Vector3d>& input) : points(input), kd_tree(&points) {}
 };
 
 SpatialIndex::SpatialIndex(const std::vector<Eigen::Vector3d>& points)
@@ -109,7 +100,7 @@ SpatialIndex& SpatialIndex::operator=(SpatialIndex&&) noexcept = default;
 
 SpatialIndex::Neighbor SpatialIndex::Nearest(const Eigen::Vector3d& query) const {
   NearestResult result;
-  tree_->kd_tree.findNeighbors(result, query.data(), flann::SearchParams());
+  tree_->kd_tree.Find(query, &result);
   return result.best();
 }
 
@@ -118,7 +109,7 @@ void SpatialIndex::FindNearest(const Eigen::Vector3d& query, size_t count,
   found->clear();
   if (!tree_ || count == 0) return;
   NearestOnesResult result(count, found);
-  tree_->kd_tree.findNeighbors(result, query.data(), flann::SearchParams());
+  tree_->kd_tree.Find(query, &result);
   std::sort_heap(found->begin(), found->end(), IsNearer);
 }
 
@@ -127,7 +118,7 @@ void SpatialIndex::FindWithin(const Eigen::Vector3d& query, double radius,
   found->clear();
   if (!tree_) return;
   WithinResult result(radius * radius, found);
-  tree_->kd_tree.findNeighbors(result, query.data(), flann::SearchParams());
+  tree_->kd_tree.Find(query, &result);
   std::sort(found->begin(), found->end(),
             [](const Neighbor& a, const Neighbor& b) { return a.index < b.index; });
 }

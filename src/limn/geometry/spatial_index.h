@@ -8,9 +8,9 @@
 
 namespace limn {
 
-// Exact nearest-neighbor look-up in a fixed set of 3D points: a single kd-tree (FLANN), leaves of
-// 16 points. Building takes O(n log n), a look-up O(log n + found). Immutable, hence safe to share
-// between threads.
+// Exact nearest-neighbor look-up in a fixed set of 3D points: a single kd-tree of FLANN or
+// nanoflann, leaves of 16 points. Building takes O(n log n), a look-up O(log n + found). Immutable,
+// hence safe to share between threads.
 class SpatialIndex {
  public:
   struct Neighbor {
