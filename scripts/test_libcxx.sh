@@ -1,22 +1,37 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Compiles everything but the parts for Python, MPI and STEP with clang and libc++, the standard library of macOS and FreeBSD: build/libcxx. With --tests also
-# builds the libraries that Limn needs that way, and runs the unit tests. Needs clang-19, libc++-19-dev and libc++abi-19-dev,
-# which it installs.
+# Compiles everything but the parts for Python, MPI and STEP with clang and libc++, the standard library of macOS and FreeBSD: build/libcxx.
+# With --tests it also builds the libraries that Limn needs that way, and runs the unit tests (another half an hour on two cores).
 set -euo pipefail
 cd "$(dirname "$0")/.."
-scripts/setup.sh clang-19 libc++-19-dev libc++abi-19-dev googletest dpkg-dev
-export CXX=clang++-19 CC=clang-19 CXXFLAGS=-stdlib=libc++ LDFLAGS=-stdlib=libc++
-libraries=$PWD/build/libcxx/libraries
+scripts/setup.sh clang-19 googletest dpkg-dev
+build=$PWD/build/libcxx
 
-options=(-DLIMN_WITH_STEP=OFF -DLIMN_WITH_MPI=OFF -DLIMN_WITH_PYTHON=OFF -DLIMN_WITH_COLMAP=OFF -DCMAKE_BUILD_TYPE=Release)
+# Debian's package cannot be installed beside libunwind-dev, which glog needs.
+tools=$build/tools/usr/lib/llvm-19
+if [[ ! -e $tools/lib/libunwind.so ]]; then
+  mkdir -p "$build/packages"
+  (cd "$build/packages" && apt-get download libc++-19-dev libc++1-19 libc++abi-19-dev libc++abi1-19 libunwind-19 &&
+    for package in *.deb; do dpkg -x "$package" "$build/tools"; done)
+  ln -sf libunwind.so.1 "$tools/lib/libunwind.so"
+fi
+export CC=clang-19 CXX=clang++-19
+# Debian's Boost inherits from what C++17 has removed.
+export CXXFLAGS="-stdlib++-isystem $tools/include/c++/v1 -D_LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION"
+export LDFLAGS="-stdlib=libc++ -L$tools/lib -Wl,-rpath,$tools/lib"
+
+options=(-DLIMN_WITH_STEP=OFF -DLIMN_WITH_MPI=OFF -DLIMN_WITH_PYTHON=OFF -DLIMN_WITH_COLMAP=OFF)
 targets='^(src|colmap_ext)/.*\.a$'
 if [[ ${1:-} == --tests ]]; then
-  scripts/libcxx_libraries.sh "$libraries"
-  options+=(-DCMAKE_PREFIX_PATH="$libraries" -DBoost_NO_BOOST_CMAKE=ON -DBOOST_INCLUDEDIR=/usr/include -DBOOST_LIBRARYDIR="$libraries/lib")
+  scripts/libcxx_libraries.sh "$build/libraries"
+  options+=(-DCMAKE_PREFIX_PATH="$build/libraries" -DBoost_NO_BOOST_CMAKE=ON -DBOOST_INCLUDEDIR=/usr/include
+    -DBOOST_LIBRARYDIR="$build/libraries/lib")
   targets='^tests/(limn|colmap_ext)/.*_test$'
 fi
-cmake -S . -B build/libcxx -G Ninja "${options[@]}"
-ninja -C build/libcxx -t targets all | sed 's/: .*//' | grep -E "$targets" >build/libcxx/targets.txt
-xargs -a build/libcxx/targets.txt ninja -C build/libcxx
-[[ ${1:-} != --tests ]] || LD_LIBRARY_PATH=$libraries/lib ctest --test-dir build/libcxx -j2 --output-on-failure -R "^($(sed 's,.*/,,' build/libcxx/targets.txt | paste -sd'|'))\$"
+cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${options[@]}"
+ninja -C "$build" -t targets all | sed 's/: .*//' | grep -E "$targets" >"$build/targets.txt"
+xargs -a "$build/targets.txt" ninja -C "$build" -k 0
+if [[ ${1:-} == --tests ]]; then
+  tests=$(sed 's,.*/,,' "$build/targets.txt" | paste -sd'|')
+  LD_LIBRARY_PATH=$build/libraries/lib ctest --test-dir "$build" -j2 --output-on-failure -R "^($tests)\$"
+fi

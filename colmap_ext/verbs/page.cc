@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -74,7 +75,8 @@ std::string StateOf(const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (error) return "";
-  const auto time = fs::last_write_time(file, error).time_since_epoch().count();
+  const auto time =
+      static_cast<int64_t>(fs::last_write_time(file, error).time_since_epoch().count());
   const std::string path = fs::absolute(file).lexically_normal().string();
   return path + " " + std::to_string(size) + " " + std::to_string(time) + ";";
 }

@@ -44,9 +44,8 @@ void ExpectPageOfResults(const std::filesystem::path& folder) {
   if (RunProgram(python, {"-c", "import matplotlib"}).exit_code != 0) return;  // no pictures
   AddPhotographs(folder / "report.json");
   const LimnRun run =
-      RunProgram(python, {LIMN_SOURCE_DIR "/scripts/bench/results_page.py",
-                          "--commit", "abcdef", "--report", (folder / "report.json").string(),
-                          folder.string()});
+      RunProgram(python, {LIMN_SOURCE_DIR "/scripts/bench/results_page.py", "--commit", "abcdef",
+                          "--report", (folder / "report.json").string(), folder.string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const std::string page = ReadText(folder / "RESULTS.md");
   for (const char* method :
