@@ -58,6 +58,8 @@ function(limn_installed_library name)
       INSTALL_RPATH "$ORIGIN"  # of the other one
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     target_compile_features(${library} PUBLIC cxx_std_20)
+    # Where the project was fetched.
+    target_include_directories(${library} INTERFACE "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR};${PROJECT_SOURCE_DIR}/src;${LIMN_GENERATED_HEADERS}>")
     add_dependencies(${library} limn_commit)  # a header
     list(TRANSFORM ARG_DEPENDS APPEND _${kind} OUTPUT_VARIABLE depends)
     target_link_libraries(${library} PUBLIC ${depends})
@@ -69,6 +71,7 @@ function(limn_installed_library name)
     set(unless_asked_for EXCLUDE_FROM_ALL)
     if(kind STREQUAL LIMN_LIBRARY_KIND)
       set(unless_asked_for "")
+      add_library(limn::${ARG_EXPORT_NAME} ALIAS ${library})
     endif()
     install(TARGETS ${library} EXPORT ${ARG_SET}-${kind}
       LIBRARY COMPONENT library_${kind} NAMELINK_COMPONENT library_${kind} ${unless_asked_for}
