@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Check that every source file says its license in its first line: check_spdx.py [--write] [folder]
+"""Check that every source file of these kinds says its license in its first line: check_spdx.py [--write] [folder]
 
     // SPDX-License-Identifier: BSD-3-Clause      .cc .h .js .mjs .ts
     # SPDX-License-Identifier: BSD-3-Clause       .py .sh .bash .cmake CMakeLists.txt

@@ -3,6 +3,7 @@
 # libcxx_libraries.sh <folder>: build the libraries that have C++ interfaces into <folder>/lib with clang and libc++, from the
 # sources of Debian's packages, for scripts/test_libcxx.sh --tests. Does nothing if they are there. Takes about 15 minutes on two cores.
 set -euo pipefail
+: "${CXX:?is set by scripts/test_libcxx.sh}"
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 here=$(cd "$(dirname "$0")" && pwd)
@@ -20,7 +21,7 @@ tar -C boost -xf boost1.74_*.orig.tar.* --strip-components=1 --wildcards '*/libs
 
 # FindBoost looks for its name.
 # shellcheck disable=SC2086
-"$CXX" $CXXFLAGS -std=c++20 -O2 -fPIC -shared -Wl,-soname,libboost_program_options.so.1.74.0 boost/libs/program_options/src/*.cpp \
+"$CXX" $CXXFLAGS $LDFLAGS -std=c++20 -O2 -fPIC -shared -Wl,-soname,libboost_program_options.so.1.74.0 boost/libs/program_options/src/*.cpp \
   -o "$folder/lib/libboost_program_options.so.1.74.0"
 ln -sf libboost_program_options.so.1.74.0 "$folder/lib/libboost_program_options.so"
 for library in glog /usr/src/googletest; do

@@ -1,22 +1,25 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Cross-compiles everything but the parts for Python, MPI and STEP for aarch64 and runs the unit tests under qemu-user: build/aarch64. Takes an hour
-# and a half on two cores. Arguments are names of tests, by default all.
+# Cross-compiles the unit tests, hence all but the parts for Python, MPI and STEP, for aarch64 and runs them under qemu-user: build/aarch64. Takes an
+# hour and a half on two cores. Arguments are names of tests, by default all.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh g++-aarch64-linux-gnu qemu-user-static mmdebstrap
 source scripts/packaging/own_apt.sh
-build=$PWD/build/aarch64
+source scripts/other_build.sh
+build=$PWD/build/aarch64 targets=$PWD/build/aarch64/targets.txt
 root=$build/root
 
 # The packages of scripts/setup.sh that are compiled against, for the other machine.
-if [[ ! -d $root/usr/include ]]; then
+if [[ ! -d $root ]]; then
   mkdir -p "$build"
+  rm -rf "$root.part"
   packages=libc6-dev,libstdc++-12-dev,libeigen3-dev,libopencv-dev,libicu-dev,libjpeg-dev,libceres-dev,libgoogle-glog-dev,libflann-dev,liblz4-dev
   packages+=,libnanoflann-dev,libtbb-dev,zlib1g-dev,libsqlite3-dev,libboost-program-options-dev,nlohmann-json3-dev,libtinygltf-dev
   packages+=,libgtest-dev,libgmock-dev,libbenchmark-dev
   mirror=$(debian_mirror Debian)
-  mmdebstrap --quiet --variant=extract --architectures=arm64 --include=$packages bookworm "$root" "${mirror:-http://deb.debian.org/debian}"
+  mmdebstrap --quiet --variant=extract --architectures=arm64 --include=$packages bookworm "$root.part" "${mirror:-http://deb.debian.org/debian}"
+  mv "$root.part" "$root"
 fi
 
 cat >"$build/toolchain.cmake" <<END
@@ -34,11 +37,7 @@ endforeach()
 END
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE="$build/toolchain.cmake" \
   -DLIMN_WITH_STEP=OFF -DLIMN_WITH_MPI=OFF -DLIMN_WITH_PYTHON=OFF -DLIMN_WITH_COLMAP=OFF
-ninja -C "$build" -t targets all | sed -n 's#^\(tests/\(limn\|colmap_ext\)/.*_test\): .*#\1#p' >"$build/targets.txt"
-if (($# > 0)); then
-  names=$(IFS='|'; echo "$*")
-  grep -E "/($names)\$" "$build/targets.txt" >"$build/chosen.txt"
-  mv "$build/chosen.txt" "$build/targets.txt"
-fi
-xargs -a "$build/targets.txt" ninja -C "$build" -k 0
-ctest --test-dir "$build" -j2 --output-on-failure -R "^($(sed 's,.*/,,' "$build/targets.txt" | paste -sd'|'))\$"
+names=${*:-.*_test}
+choose_targets "^tests/(limn|colmap_ext)/.*/(${names// /|})\$"
+build_targets
+run_tests

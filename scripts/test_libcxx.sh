@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Compiles everything but the parts for Python, MPI and STEP with clang and libc++, the standard library of macOS and FreeBSD: build/libcxx.
-# With --tests it also builds the libraries that Limn needs that way, and runs the unit tests (another half an hour on two cores).
+# Compiles all libraries but the parts for Python, MPI and STEP with clang and libc++, the standard library of macOS and FreeBSD:
+# build/libcxx. With --tests it also builds the libraries that Limn needs that way, and runs the unit tests (another half an hour on two cores).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh clang-19 googletest dpkg-dev
-build=$PWD/build/libcxx
+build=$PWD/build/libcxx targets=$PWD/build/libcxx/targets.txt
+source scripts/other_build.sh
 
 # Debian's package cannot be installed beside libunwind-dev, which glog needs.
 tools=$build/tools/usr/lib/llvm-19
@@ -21,17 +22,15 @@ export CXXFLAGS="-stdlib++-isystem $tools/include/c++/v1 -D_LIBCPP_ENABLE_CXX17_
 export LDFLAGS="-stdlib=libc++ -L$tools/lib -Wl,-rpath,$tools/lib"
 
 options=(-DLIMN_WITH_STEP=OFF -DLIMN_WITH_MPI=OFF -DLIMN_WITH_PYTHON=OFF -DLIMN_WITH_COLMAP=OFF)
-targets='^(src|colmap_ext)/.*\.a$'
+wanted='^(src|colmap_ext)/.*\.a$'
 if [[ ${1:-} == --tests ]]; then
   scripts/libcxx_libraries.sh "$build/libraries"
   options+=(-DCMAKE_PREFIX_PATH="$build/libraries" -DBoost_NO_BOOST_CMAKE=ON -DBOOST_INCLUDEDIR=/usr/include
     -DBOOST_LIBRARYDIR="$build/libraries/lib")
-  targets='^tests/(limn|colmap_ext)/.*_test$'
+  wanted='^tests/(limn|colmap_ext)/.*_test$'
 fi
-cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${options[@]}"
-ninja -C "$build" -t targets all | sed 's/: .*//' | grep -E "$targets" >"$build/targets.txt"
-xargs -a "$build/targets.txt" ninja -C "$build" -k 0
-if [[ ${1:-} == --tests ]]; then
-  tests=$(sed 's,.*/,,' "$build/targets.txt" | paste -sd'|')
-  LD_LIBRARY_PATH=$build/libraries/lib ctest --test-dir "$build" -j2 --output-on-failure -R "^($tests)\$"
-fi
+# Fresh: libraries that another call found elsewhere are forgotten.
+cmake --fresh -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${options[@]}"
+choose_targets "$wanted"
+build_targets
+[[ ${1:-} != --tests ]] || LD_LIBRARY_PATH=$build/libraries/lib run_tests

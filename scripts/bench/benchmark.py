@@ -89,7 +89,7 @@ def draw_all(name):
                 drawn[options] = folder, run.cpu_seconds
             folder, cpu_seconds = drawn[options]
             _, report = score(name, folder / file)
-            row = next(row for row in report["rows"] if row["tau"] == 2)
+            row = report["rows"][1]  # at 2 px of `exact`
             shares = " / ".join("-" if row[key] is None else f"{100 * row[key]:.1f}" for key in ("precision", "recall", "f"))
             rows[method] = f"{shares} ({cpu_seconds:.0f} s)"
         except CommandFailed as failure:
@@ -99,8 +99,8 @@ def draw_all(name):
 
 SECTION = """## The benchmark
 
-Written by `scripts/benchmark.sh methods` at {version}. Cells: precision / recall / F at 2 pixel footprints, in percent, and CPU seconds of
-the run; the two methods of `scripts/paper.ini` share one. What the rungs are: [datasets/README.md](README.md#as-a-benchmark).
+Written by `scripts/benchmark.sh methods` at {version}. Cells: precision / recall / F at 2 pixel footprints, in percent (footprints of `exact`), and
+CPU seconds of the run; the two methods of `scripts/paper.ini` share one. What the rungs are: [datasets/README.md](README.md#as-a-benchmark).
 
 """
 

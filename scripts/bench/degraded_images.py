@@ -13,7 +13,8 @@ JPEG_QUALITY = 95
 def degraded(image, scale, blur_px, noise, random):
     if scale != 1:
         way = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
-        image = cv2.resize(image, None, fx=scale, fy=scale, interpolation=way)
+        size = [int(scale * side + 0.5) for side in image.shape[1::-1]]  # as pose_noise rounds
+        image = cv2.resize(image, size, interpolation=way)
     if blur_px:
         image = cv2.GaussianBlur(image, (0, 0), blur_px)
     if noise:

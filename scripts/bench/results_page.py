@@ -63,6 +63,10 @@ def default_runs(data_set):
     return [run for run in data_set["runs"] if run["threshold"] is None]
 
 
+def is_swept(data_set):
+    return len(default_runs(data_set)) < len(data_set["runs"])
+
+
 def f_of(run, data_set, precision):
     """F at the middle tau from the given kind of precision (plot_quality.Panel)."""
     row = row_of(run, data_set, middle(data_set))
@@ -93,8 +97,8 @@ def summary(data_sets, precision):
         f_of_best = {method: f_of(run, data_set, precision) for method, run in best.items()}
         for method in ORDER:
             default = next(run for run in runs_of(data_set, method) if run["threshold"] is None)
-            cells.append(f"{percent(f_of(default, data_set, precision))} "
-                         f"({percent(f_of_best[method])}, {threshold_name(best[method])})")
+            swept = f"({percent(f_of_best[method])}, {threshold_name(best[method])})" if is_swept(data_set) else "(-)"
+            cells.append(f"{percent(f_of(default, data_set, precision))} {swept}")
         cells.append("yes" if sorted(ORDER, key=f_of_best.get) == ORDER else "no")
         rows.append(cells)
     return table(["set", "tau", *ORDER, "in this order"], rows)
@@ -225,7 +229,8 @@ def page(data_sets, commit, pictures):
         for data_set in by_box(group):
             text += f"**{data_set['name']}**, {data_set['num_views']} views:\n\n"
             text += data_set_table(data_set)
-            text += "<details><summary>sweep</summary>\n\n" + sweep_table(data_set) + "</details>\n\n"
+            if is_swept(data_set):
+                text += "<details><summary>sweep</summary>\n\n" + sweep_table(data_set) + "</details>\n\n"
     return text
 
 
@@ -255,7 +260,10 @@ def main():
     others = [data_set for data_set in data_sets if not data_set["ceiling"]]
     if not judged:
         sys.exit("ERROR: no data set has a truth")
-    sections = [path.read_text(encoding="utf-8").strip() for path in arguments.section]
+    try:
+        sections = [path.read_text(encoding="utf-8").strip() for path in arguments.section]
+    except OSError as error:
+        sys.exit(f"ERROR: {error}")
     folder = arguments.folder
     (folder / "results").mkdir(exist_ok=True)
     pictures = {}

@@ -15,7 +15,7 @@ build=$source_dir/build/archive
 "$here/lean_libraries.sh" "$portable/libraries"
 "$here/python_headers.sh" "$portable/python"
 export CCACHE_BASEDIR=$source_dir CCACHE_NOHASHDIR=1
-cmake -S "$source_dir" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DLIMN_BUILD_TESTS=OFF \
+cmake -S "$source_dir" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DLIMN_BUILD_TESTS=OFF -DLIMN_WITH_FLANN=ON \
   -DCMAKE_PREFIX_PATH="$portable/libraries" -DLIMN_PYTHON_ROOTS="$portable/python"
 cmake --build "$build" --target limn limn_python_package limn_python_modules man_pages
 

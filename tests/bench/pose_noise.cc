@@ -121,16 +121,18 @@ void KeepViews(size_t num_views, SparseModel* model) {
 // Of pictures that were made larger or smaller by this factor.
 void ScaleCameras(double scale, SparseModel* model) {
   for (auto& camera : model->cameras) {
-    const auto* known = colmap_ext::FindCameraModel(static_cast<int32_t>(camera.model));
-    for (int i = 0; i < known->num_focals + 2; ++i) camera.params[i] *= scale;
+    const auto& model_of_camera =
+        *colmap_ext::FindCameraModel(static_cast<int32_t>(camera.model));
+    for (int i = 0; i < model_of_camera.num_focals + 2; ++i) camera.params[i] *= scale;
     camera.width = static_cast<uint64_t>(std::lround(scale * camera.width));
     camera.height = static_cast<uint64_t>(std::lround(scale * camera.height));
   }
   RemovePoints(model);
 }
 
-// How drawing_evaluator judges what was drawn with these cameras, as a project file for it.
-void WriteEvaluatorOptions(const DataSet& set, const WorkspaceLayout& layout,
+// How drawing_evaluator judges what was drawn with these cameras, as a project file for it: within the
+// same distances whatever the size of the pictures, whose footprints it takes.
+void WriteEvaluatorOptions(const DataSet& set, const WorkspaceLayout& layout, double scale,
                            const std::string& workspace_path) {
   colmap_ext::EvaluatorOptions options;
   options.layout.workspace_path = workspace_path;
@@ -140,7 +142,10 @@ void WriteEvaluatorOptions(const DataSet& set, const WorkspaceLayout& layout,
   options.truth.junctions_path = set.junctions_path;
   options.truth.dont_care_path = set.dont_care_path;
   options.truth.evaluation.taus = set.taus;
-  if (set.in_footprints) options.truth.unit = colmap_ext::TruthInput::Unit::kFootprint;
+  if (set.in_footprints) {
+    options.truth.unit = colmap_ext::TruthInput::Unit::kFootprint;
+    for (double& tau : options.truth.evaluation.taus) tau *= scale;
+  }
   if (const auto& region = set.boxes.front().region) {
     for (int axis = 0; axis < 3; ++axis) {
       options.box.insert(options.box.end(), {region->min()[axis], region->max()[axis]});
@@ -181,7 +186,7 @@ void Run(const NoiseOptions& options) {
   if (!fs::is_symlink(output / "images")) {
     fs::create_directory_symlink(layout.image_dir, output / "images");
   }
-  WriteEvaluatorOptions(set, layout, output.string());
+  WriteEvaluatorOptions(set, layout, options.scale, output.string());
 }
 
 }  // namespace

@@ -111,6 +111,9 @@ TEST(CorpusRuns, Case35_EmptyGigabytesAreNotRead) {
 
 // From too little to load the program to enough for all; what is in between is said in a line.
 TEST(CorpusRuns, Case35_TooLittleMemoryIsALine) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitizer needs all addresses";
+#endif
   const W w;
   RunConditions conditions = Limits(60);
   int lines = 0;

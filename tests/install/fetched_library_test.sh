@@ -15,6 +15,10 @@ if grep -q "LIMN_BUILD_TESTS:BOOL=ON" "$work/build/CMakeCache.txt"; then
   echo "FAILED: what only Limn itself needs is built" >&2
   exit 1
 fi
+if ninja -C "$work/build" -n | grep -E 'colmap_ext/(main|python|plugins)'; then
+  echo "FAILED: the project builds what it does not use" >&2
+  exit 1
+fi
 if [[ ${2:-} == all ]]; then
   cmake --build "$work/build" --target consumer
   printf 'view_0%d.jpg\n' 0 1 2 3 4 5 >"$work/images.txt"

@@ -25,7 +25,7 @@ if grep -r -n -F -e "$source_dir" -e "$build" -e "$work/first" -e pch "$prefix"/
   "$prefix"/lib*/cmake 2>/dev/null; then
   fail "these lines name folders that users do not have"
 fi
-if grep -r -n -E '#include <(ceres|flann|nlohmann|opencv2|boost|tbb|Step|Geom)' "$prefix/include"; then
+if grep -r -n -E '#include <(ceres|flann|nanoflann|nlohmann|opencv2|boost|tbb|Step|Geom)' "$prefix/include"; then
   fail "these headers need headers of libraries that users need not have"
 fi
 

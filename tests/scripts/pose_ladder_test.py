@@ -2,6 +2,7 @@
 """Tests of scripts/bench/pose_ladder.py: which cases it runs and what its tables show."""
 
 import argparse
+import importlib.util
 import sys
 import tempfile
 import unittest
@@ -40,6 +41,31 @@ class Cases(unittest.TestCase):
             path.write_text('{"commit": "a"}', encoding="utf-8")
             self.assertEqual(ladder.stored(path, "a"), {"commit": "a"})
             self.assertIsNone(ladder.stored(path, "b"))
+
+
+# Like tests/bench/pose_noise: refuses a folder where the images are.
+POSE_NOISE = """#!/bin/sh
+while [ "$1" != --output_path ]; do shift; done
+mkdir -p "$2" && ln -s "$(dirname "$0")/originals" "$2/images"
+"""
+
+
+class Workspaces(unittest.TestCase):
+    @unittest.skipUnless(importlib.util.find_spec("cv2"), "python3-opencv is not installed")
+    def test_other_sizes_are_made_again(self):
+        import cv2
+        import numpy
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / "originals").mkdir()
+            cv2.imwrite(str(folder / "originals/a.png"), numpy.zeros((30, 41, 3), numpy.uint8))
+            (folder / "pose_noise").write_text(POSE_NOISE, encoding="utf-8")
+            (folder / "pose_noise").chmod(0o755)
+            arguments = argparse.Namespace(pose_noise=folder / "pose_noise", data_path=folder)
+            for _ in range(2):
+                ladder.make_workspace(arguments, "room", "scale-0.5", "1", folder / "out")
+                self.assertEqual(cv2.imread(str(folder / "out/images/a.png")).shape, (15, 21, 3))
+            self.assertEqual(cv2.imread(str(folder / "originals/a.png")).shape, (30, 41, 3))
 
 
 class Tables(unittest.TestCase):

@@ -63,8 +63,8 @@ OPTIONAL = {
     "COLMAP": "LIMN_WITH_COLMAP",
     "GTest": "LIMN_BUILD_TESTS",
 }
-# A commit for limn --version, which archives do not have; a faster second build.
-NOT_NEEDED = {"Git", "ccache"}
+# A commit for limn --version, which archives do not have; a faster second build; what serves where FLANN is missing.
+NOT_NEEDED = {"Git", "ccache", "nanoflann.hpp"}
 
 
 def read(path):

@@ -26,10 +26,13 @@ std::string WithoutBrackets(std::string text) {
   return text;
 }
 
-std::optional<double> ValueOf(std::string_view line, std::string_view key) {
+std::optional<double> ValueOf(const TextScanner& scanner, std::string_view line,
+                              std::string_view key) {
   if (!line.starts_with(key)) return std::nullopt;
   line.remove_prefix(key.size());
-  return ParseNumber<double>(line.substr(0, line.find_first_of(" \t\r")));
+  const auto value = ParseNumber<double>(line.substr(0, line.find_first_of(" \t\r")));
+  if (!value) scanner.Fail("no number after " + std::string(key));
+  return value;
 }
 
 struct EdgHeader {
@@ -53,9 +56,9 @@ EdgHeader ReadHeader(TextScanner* scanner) {
     if (is_first && !line.starts_with("# EDGE_MAP")) scanner->Fail("not an edge map");
     if (is_first) header.has_uncertainty = line.find("v3") != std::string_view::npos;
     is_first = false;
-    if (const auto width = ValueOf(line, "WIDTH=")) SetSize(*scanner, *width, &header.width);
-    if (const auto height = ValueOf(line, "HEIGHT=")) SetSize(*scanner, *height, &header.height);
-    if (const auto count = ValueOf(line, "EDGE_COUNT=")) {
+    if (const auto width = ValueOf(*scanner, line, "WIDTH=")) SetSize(*scanner, *width, &header.width);
+    if (const auto height = ValueOf(*scanner, line, "HEIGHT=")) SetSize(*scanner, *height, &header.height);
+    if (const auto count = ValueOf(*scanner, line, "EDGE_COUNT=")) {
       if (header.width < 0 || header.height < 0) scanner->Fail("no WIDTH and HEIGHT");
       if (!(*count >= 0 && *count <= 1e9)) scanner->Fail("impossible EDGE_COUNT");
       header.count = static_cast<size_t>(*count);

@@ -5,12 +5,17 @@
 #include <limits>
 #include <utility>
 
-#include "limn/geometry/kd_tree.h"
+#ifdef LIMN_WITH_FLANN
+#include "limn/geometry/kd_tree_of_flann.h"
+#else
+#include "limn/geometry/kd_tree_of_nanoflann.h"
+#endif
 #include "limn/util/errors.h"
 
 namespace limn {
 namespace {
 
+constexpr int kLeafSize = 16;
 using Neighbor = SpatialIndex::Neighbor;
 
 // The libraries' own result sets allocate per query and break ties by the order of the tree.
@@ -83,7 +88,7 @@ struct SpatialIndex::Tree {
   std::vector<Eigen::Vector3d> points;
   KdTree kd_tree;
 
-  explicit Tree(const std::vector<Eigen::Vector3d>& input) : points(input), kd_tree(&points) {}
+  explicit Tree(const std::vector<Eigen::Vector3d>& input) : points(input), kd_tree(&points, kLeafSize) {}
 };
 
 SpatialIndex::SpatialIndex(const std::vector<Eigen::Vector3d>& points)

@@ -19,10 +19,10 @@ StageSummary OfShard(StageSummary summary, const Shard& shard) {
 }  // namespace
 
 Shard ParseShard(const std::string& text) {
-  const size_t slash = std::min(text.find('/'), text.size());
-  const auto index = ParseNumber<int>(text.substr(0, slash));
-  const auto count =
-      ParseNumber<int>(std::string_view(text).substr(std::min(slash + 1, text.size())));
+  const std::string_view all = text;
+  const size_t slash = all.find('/');
+  const auto index = ParseNumber<int>(all.substr(0, slash));
+  const auto count = ParseNumber<int>(slash == all.npos ? "" : all.substr(slash + 1));
   if (!index || !count || *index < 1 || *index > *count) {
     throw OptionError("shard = " + text + ": must be i/n with 1 <= i <= n");
   }

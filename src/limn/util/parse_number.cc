@@ -24,7 +24,8 @@ bool IsDecimal(std::string_view text) {
     fraction = CountDigits(text.substr(1));
     text.remove_prefix(1 + fraction);
   }
-  if (whole + fraction == 0 || text.empty()) return whole + fraction > 0;
+  if (whole + fraction == 0) return false;
+  if (text.empty()) return true;
   if (text.front() != 'e' && text.front() != 'E') return false;
   text.remove_prefix(1);
   if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
@@ -43,6 +44,8 @@ std::optional<double> ParseDoubleByStream(std::string_view text) {
     stream >> value;
     // libc++ also fails where digits of tiny numbers are lost.
     if (stream.fail() && !(value < 1)) return std::nullopt;  // too large
+    const size_t exponent = std::min(digits.find_first_of("eE"), digits.size());
+    if (value == 0 && digits.find_first_of("123456789") < exponent) return std::nullopt;
   } else {
     for (char& c : digits) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     if (digits == "inf" || digits == "infinity") {

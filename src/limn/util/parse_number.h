@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// As ParseNumber, where the standard library reads no floating numbers (libc++ before 20).
+// As ParseNumber<double>, for standard libraries that read no floating numbers, such as libc++ 19.
 std::optional<double> ParseDoubleByStream(std::string_view text);
 
 // The number that is all of a text, as std::from_chars reads it: with a point as the decimal sign
@@ -36,6 +36,7 @@ std::optional<Number> ParseNumber(std::string_view text) {
 // The same with a plus that some programs write.
 template <typename Number>
 std::optional<Number> ParseSignedNumber(std::string_view text) {
+  if (text.starts_with("+-")) return std::nullopt;
   return ParseNumber<Number>(text.starts_with('+') ? text.substr(1) : text);
 }
 
