@@ -4,7 +4,7 @@
 # build/libcxx. With --tests it also builds the libraries that Limn needs that way, and runs the unit tests (another half an hour on two cores).
 set -euo pipefail
 cd "$(dirname "$0")/.."
-scripts/setup.sh clang-19 googletest dpkg-dev
+scripts/setup.sh clang-19 googletest dpkg-dev libopenjp2-7-dev libpng-dev libtiff-dev libwebp-dev
 build=$PWD/build/libcxx targets=$PWD/build/libcxx/targets.txt
 source scripts/other_build.sh
 

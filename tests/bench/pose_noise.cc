@@ -121,8 +121,7 @@ void KeepViews(size_t num_views, SparseModel* model) {
 // Of pictures that were made larger or smaller by this factor.
 void ScaleCameras(double scale, SparseModel* model) {
   for (auto& camera : model->cameras) {
-    const auto& model_of_camera =
-        *colmap_ext::FindCameraModel(static_cast<int32_t>(camera.model));
+    const auto& model_of_camera = *colmap_ext::FindCameraModel(static_cast<int32_t>(camera.model));
     for (int i = 0; i < model_of_camera.num_focals + 2; ++i) camera.params[i] *= scale;
     camera.width = static_cast<uint64_t>(std::lround(scale * camera.width));
     camera.height = static_cast<uint64_t>(std::lround(scale * camera.height));
@@ -130,8 +129,8 @@ void ScaleCameras(double scale, SparseModel* model) {
   RemovePoints(model);
 }
 
-// How drawing_evaluator judges what was drawn with these cameras, as a project file for it: within the
-// same distances whatever the size of the pictures, whose footprints it takes.
+// How drawing_evaluator judges what was drawn with these cameras, as a project file for it: within
+// the same distances whatever the size of the pictures, whose footprints it takes.
 void WriteEvaluatorOptions(const DataSet& set, const WorkspaceLayout& layout, double scale,
                            const std::string& workspace_path) {
   colmap_ext::EvaluatorOptions options;

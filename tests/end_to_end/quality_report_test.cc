@@ -56,9 +56,16 @@ void ExpectPageOfResults(const std::filesystem::path& folder) {
   EXPECT_THAT(page, HasSubstr("at commit abcdef"));
   const size_t photographs = page.find("**desk**, 24 views, 2 held out:");
   ASSERT_NE(photographs, std::string::npos);
-  const nlohmann::json to = ReadJson(folder / "report.json").at("sets").at(1).at("runs").at(0).at("held_out").at("to_edgels");
+  const nlohmann::json to = ReadJson(folder / "report.json")
+                                .at("sets")
+                                .at(1)
+                                .at("runs")
+                                .at(0)
+                                .at("held_out")
+                                .at("to_edgels");
   char row[100];
-  std::snprintf(row, sizeof(row), "| original sketch | %.2f / %.2f (%.1f) | ", to.at("median_px").get<double>(), to.at("p90_px").get<double>(),
+  std::snprintf(row, sizeof(row), "| original sketch | %.2f / %.2f (%.1f) | ",
+                to.at("median_px").get<double>(), to.at("p90_px").get<double>(),
                 100 * to.at("lonely").get<double>());
   EXPECT_THAT(page.substr(photographs), HasSubstr(row));
   EXPECT_THAT(page, HasSubstr("`curves/enhanced-sketch.ply` of `limn automatic_drawer"));

@@ -88,7 +88,8 @@ struct SpatialIndex::Tree {
   std::vector<Eigen::Vector3d> points;
   KdTree kd_tree;
 
-  explicit Tree(const std::vector<Eigen::Vector3d>& input) : points(input), kd_tree(&points, kLeafSize) {}
+  explicit Tree(const std::vector<Eigen::Vector3d>& input)
+      : points(input), kd_tree(&points, kLeafSize) {}
 };
 
 SpatialIndex::SpatialIndex(const std::vector<Eigen::Vector3d>& points)
