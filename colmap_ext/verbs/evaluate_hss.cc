@@ -149,13 +149,13 @@ HssScores JudgeWireframe(const DrawingGraph* drawing, const HssFiles& files, con
   WireframeSource judged = ReadJudgedSource(drawing, files, console);
   WireframeSource truth = ReadTrueSource(files);
   const double scale = MetersPerUnit(judged, truth, input, console);
-  HssOptions options = input.hss;
-  if (const auto box = BoxFromNumbers(files.box)) {
-    options.region = Eigen::AlignedBox3d(scale * box->min(), scale * box->max());
-  }
   const WireframeOptions reduce = {ToleranceFor(judged, truth, scale, input)};
   const double judged_scale = ScaleOf(judged, scale, input);
   const double true_scale = ScaleOf(truth, scale, input);
+  HssOptions options = input.hss;
+  if (const auto box = BoxFromNumbers(files.box)) {
+    options.region = Eigen::AlignedBox3d(true_scale * box->min(), true_scale * box->max());
+  }
   const Wireframe wireframe =
       ToMeters(std::move(judged), judged_scale, reduce, "wireframe", console);
   const Wireframe true_wireframe = ToMeters(std::move(truth), true_scale, reduce, "truth", console);

@@ -51,9 +51,10 @@ const Wireframe kTrueFrame = {{{0, -0.4, 0}, {8, -0.4, 0}, {8, 4, 0}, {0, 4, 0}}
 
 class WireframeTest : public ::testing::Test {
  protected:
-  std::string Store(const std::string& name, const Wireframe& wireframe) const {
+  std::string Store(const std::string& name, const Wireframe& wireframe,
+                    const WireframeStamp& stamp = {}) const {
     std::ofstream out(drawn_.Path(name));
-    WriteWireframeObj(wireframe, {}, {}, out);
+    WriteWireframeObj(wireframe, {}, stamp, out);
     return drawn_.Path(name);
   }
 
@@ -139,6 +140,16 @@ TEST_F(WireframeTest, SaysWhatItTakesForAMeter) {
   const LimnRun given =
       Judge({"--input_path", drawn_.Path("curves.ply"), "--truth_path", truth, "--scale", "4"});
   EXPECT_THAT(given.out + given.err, Not(HasSubstr("the scale is not known")));
+}
+
+TEST_F(WireframeTest, TheBoxIsInUnitsOfTheTruth) {
+  Wireframe in_mm = kTrueFrame;
+  for (Eigen::Vector3d& vertex : in_mm.vertices) vertex *= 1000;
+  const std::string truth = Store("truth.obj", in_mm, {.unit = LengthUnit::kMillimeter});
+  const nlohmann::json scores = Scores({"--input_path", drawn_.Path("drawing.json"), "--truth_path",
+                                        truth, "--box=-1000,4500,-1000,4500,-1000,1000"});
+  EXPECT_EQ(scores.at("num_true_corners"), 2);
+  EXPECT_EQ(scores.at("num_right_corners"), 2);
 }
 
 TEST_F(WireframeTest, RefusesWhatDoesNotGoWithIt) {
