@@ -12,7 +12,9 @@
 #include <gtest/gtest.h>
 
 namespace limn {
-namespace {
+
+// With linkage: libc++ converts AnyField to the content of an optional.
+namespace serialize_test {
 
 enum class Kind : uint8_t { kNone, kSome, kAll };
 
@@ -36,6 +38,14 @@ struct Everything {
 
   bool operator==(const Everything&) const = default;
 };
+
+}  // namespace serialize_test
+
+namespace {
+
+using serialize_test::Everything;
+using serialize_test::Kind;
+using serialize_test::Pair;
 
 template <class T>
 std::string BytesOf(const T& value) {
