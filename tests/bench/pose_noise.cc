@@ -18,6 +18,7 @@
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "limn/util/median.h"
+#include "support/random_numbers.h"
 
 namespace limn::bench {
 namespace {
@@ -76,7 +77,7 @@ double DepthOfScene(const std::vector<View>& views, const std::vector<Eigen::Vec
 // and y axes of the camera, half of it about its optical axis; and along each axis for the center,
 // at the depth of the scene.
 void DisturbCameras(double error_px, double depth, std::mt19937* random, SparseModel* model) {
-  std::normal_distribution<double> gauss(0, error_px);
+  testing::NormalDistribution<double> gauss(0, error_px);
   const auto draw = [&] { return Eigen::Vector3d(gauss(*random), gauss(*random), gauss(*random)); };
   for (auto& image : model->images) {
     const double focal = IntrinsicsOf(model->CameraOf(image)).fx;
@@ -90,7 +91,7 @@ void DisturbCameras(double error_px, double depth, std::mt19937* random, SparseM
 
 // One camera in a hundred, at least one, turned by this angle about its center.
 void TurnCameras(double angle_deg, std::mt19937* random, SparseModel* model) {
-  std::normal_distribution<double> gauss(0, 1);
+  testing::NormalDistribution<double> gauss(0, 1);
   std::vector<size_t> order(model->images.size());
   for (size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::shuffle(order.begin(), order.end(), *random);

@@ -9,6 +9,7 @@
 
 #include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn::bench {
@@ -27,11 +28,11 @@ constexpr double kFocalPx = 3200;
 constexpr int kMinViews = 4;
 
 double Uniform(std::mt19937* random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(*random);
+  return testing::UniformDistribution<double>(low, high)(*random);
 }
 
 Eigen::Vector3d RandomDirection(std::mt19937* random) {
-  std::normal_distribution<double> gauss(0, 1);
+  testing::NormalDistribution<double> gauss(0, 1);
   return Eigen::Vector3d(gauss(*random), gauss(*random), gauss(*random)).normalized();
 }
 

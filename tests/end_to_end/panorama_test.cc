@@ -20,6 +20,7 @@
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/read_curves.h"
 #include "limn/model/link_selection.h"
+#include "support/random_numbers.h"
 
 namespace limn::testing {
 namespace {
@@ -43,7 +44,7 @@ SparseModel SampleModel() {
 
 // Any azimuth, and up to 25 degrees of tilt.
 Eigen::Quaterniond RandomTurn(std::mt19937* random) {
-  std::uniform_real_distribution<double> uniform(-1, 1);
+  testing::UniformDistribution<double> uniform(-1, 1);
   const Eigen::AngleAxisd azimuth(M_PI * uniform(*random), Eigen::Vector3d::UnitY());
   const Eigen::AngleAxisd tilt(0.44 * uniform(*random), Eigen::Vector3d::UnitX());
   return Eigen::Quaterniond(azimuth * tilt);

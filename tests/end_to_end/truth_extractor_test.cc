@@ -18,6 +18,7 @@
 #include "limn/formats/mesh_reader.h"
 #include "limn/formats/ply_curves_writer.h"
 #include "limn/formats/read_curves.h"
+#include "support/random_numbers.h"
 
 namespace limn::testing {
 namespace {
@@ -123,7 +124,7 @@ TEST_F(TruthExtractor, SameBytesWhateverTheThreads) {
 std::vector<Eigen::Vector3d> CloudOfSurfaces() {
   const TriangleMesh mesh = ReadMesh(kMesh);
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> uniform(0, 1);
+  testing::UniformDistribution<double> uniform(0, 1);
   std::vector<Eigen::Vector3d> cloud;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Eigen::Vector3d& corner = mesh.vertices[a];

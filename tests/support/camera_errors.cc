@@ -4,6 +4,7 @@
 #include <random>
 
 #include "limn/util/angles.h"
+#include "support/random_numbers.h"
 
 namespace limn::testing {
 namespace {
@@ -67,7 +68,7 @@ std::vector<View> PerturbCameras(const std::vector<View>& views,
                                  const std::vector<Eigen::Vector3d>& points, double mean_px,
                                  unsigned seed) {
   std::mt19937 random(seed);
-  std::normal_distribution<double> gauss(0, 1);
+  testing::NormalDistribution<double> gauss(0, 1);
   Motions motions(views.size());
   for (auto& motion : motions) {
     for (double& value : motion) value = gauss(random);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn::testing {
@@ -48,7 +49,7 @@ void NoisyDrawing::AddCurve(const Curve& curve, double length) {
 }
 
 Eigen::Vector3d NoisyDrawing::Noise() {
-  std::normal_distribution<double> normal(0, kDrawnNoisePx * kNoisyDrawingPx);
+  testing::NormalDistribution<double> normal(0, kDrawnNoisePx * kNoisyDrawingPx);
   return {normal(random_), normal(random_), normal(random_)};
 }
 

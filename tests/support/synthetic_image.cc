@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "support/random_numbers.h"
+
 namespace limn::testing {
 namespace {
 
@@ -112,7 +114,7 @@ void Paint(const Shape& shape, const std::vector<float>& levels, Image* image) {
 
 void AddNoise(double sigma, unsigned seed, Image* image) {
   std::mt19937 generator(seed);
-  std::normal_distribution<float> noise(0.f, static_cast<float>(sigma));
+  testing::NormalDistribution<float> noise(0.f, static_cast<float>(sigma));
   for (float& value : image->data) value += noise(generator);
 }
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "limn/util/angles.h"
+#include "support/random_numbers.h"
 
 namespace limn::testing {
 namespace {
@@ -93,7 +94,7 @@ void AddVisibleParts(const View& view, const SceneCurve& curve, std::vector<Pixe
 ImageCurves MakeImageCurves(const View& view, const std::vector<PixelCurve>& curves,
                             double noise_px, unsigned seed) {
   std::mt19937 random(seed);
-  std::normal_distribution<double> gauss(0, 1);
+  testing::NormalDistribution<double> gauss(0, 1);
   std::vector<Edgel> edgels;
   std::vector<size_t> begins = {0};
   for (const PixelCurve& curve : curves) {

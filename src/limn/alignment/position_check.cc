@@ -12,6 +12,7 @@
 #include <Eigen/SVD>
 
 #include "limn/util/median.h"
+#include "limn/util/random_index.h"
 
 namespace limn {
 namespace {
@@ -141,7 +142,7 @@ std::vector<PointPair> Thinned(const std::vector<PointPair>& pairs) {
 std::vector<PointPair> InAnotherOrder(const std::vector<PointPair>& pairs, std::mt19937* random) {
   std::vector<PointPair> shuffled = pairs;
   for (size_t i = pairs.size() - 1; i > 0; --i) {
-    std::swap(shuffled[i], shuffled[std::uniform_int_distribution<size_t>(0, i - 1)(*random)]);
+    std::swap(shuffled[i], shuffled[RandomIndex(static_cast<uint32_t>((*random)()), i)]);
   }
   for (size_t i = 0; i < pairs.size(); ++i) shuffled[i].source = pairs[i].source;
   return shuffled;

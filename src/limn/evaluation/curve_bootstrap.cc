@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <random>
 
+#include "limn/util/random_index.h"
+
 namespace limn {
 namespace {
 
@@ -25,8 +27,8 @@ std::vector<double> Resample(std::vector<CurveShare> all, std::mt19937_64* rando
   for (int i = 0; i < kNumResamples; ++i) {
     CurveShare sum;
     for (size_t k = 0; k < curves.size(); ++k) {
-      // The same on all platforms, unlike std::uniform_int_distribution.
-      const CurveShare& curve = curves[((*random)() >> 32) * curves.size() >> 32];
+      const CurveShare& curve =
+          curves[RandomIndex(static_cast<uint32_t>((*random)() >> 32), curves.size())];
       sum.right += curve.right;
       sum.total += curve.total;
     }

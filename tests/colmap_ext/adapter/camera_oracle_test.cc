@@ -18,6 +18,7 @@
 #include "colmap_ext/model/camera_lens_map.h"
 #include "colmap_ext/model/test_model.h"
 #include "limn/model/lens_jacobian.h"
+#include "support/random_numbers.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -107,7 +108,7 @@ class ColmapLibrary : public ::testing::TestWithParam<int> {
   }
 
   double Random(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
+    return testing::UniformDistribution<double>(low, high)(random_);
   }
 
   // In the range of real lenses: distortion up to 1.2 times that of MakeCamera, of either sign but

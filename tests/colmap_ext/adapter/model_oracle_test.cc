@@ -12,6 +12,7 @@
 #include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
 #include "limn/util/errors.h"
+#include "support/random_numbers.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -54,7 +55,7 @@ SparseModel ReadByColmap(const fs::path& folder) {
 // spaces, which COLMAP's text cannot hold.
 SparseModel RandomModel() {
   std::mt19937 random(7);
-  std::normal_distribution<double> number;
+  testing::NormalDistribution<double> number;
   SparseModel model;
   for (int id = 0; id <= 10; ++id) {
     model.cameras.push_back(MakeCamera(static_cast<CameraModelId>(id), 100 - id));

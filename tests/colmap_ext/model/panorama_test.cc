@@ -8,6 +8,7 @@
 
 #include "limn/model/view.h"
 #include "limn/util/angles.h"
+#include "support/random_numbers.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -22,7 +23,7 @@ Eigen::Vector2d PixelOf(const Eigen::Vector3d& ray) {
 }
 
 Eigen::Vector3d RandomRay(std::mt19937* random) {
-  std::normal_distribution<double> normal;
+  testing::NormalDistribution<double> normal;
   return Eigen::Vector3d(normal(*random), normal(*random), normal(*random)).normalized();
 }
 

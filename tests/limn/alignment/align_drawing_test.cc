@@ -7,6 +7,7 @@
 
 #include "limn/alignment/wire_room.h"
 #include "limn/util/angles.h"
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -28,7 +29,7 @@ class AlignDrawingTest : public ::testing::Test {
 
   void SetPositions(double noise) {
     std::mt19937 random(1);
-    std::normal_distribution<double> normal(0, noise);
+    testing::NormalDistribution<double> normal(0, noise);
     for (size_t v = 0; v < views_.size(); ++v) {
       priors_[v].position =
           centers_[v] + Eigen::Vector3d(normal(random), normal(random), normal(random));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/alignment/wire_room.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -99,7 +100,7 @@ TEST(DominantDirections, TheFloorIsTheLowestLevelThatHoldsLines) {
 
 TEST(DominantDirections, TheFloorIsInTheMiddleOfItsLines) {
   std::mt19937 random(1);
-  std::normal_distribution<double> noise(0, 0.01);
+  testing::NormalDistribution<double> noise(0, 0.01);
   double sum = 0;
   constexpr int kNumRooms = 100;
   for (int room = 0; room < kNumRooms; ++room) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/alignment/wire_room.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -19,8 +20,8 @@ constexpr int kNumSeeds = 12;
 // Cameras around a scene of radius 8 at different heights, and their positions with noise.
 std::vector<PointPair> AroundAScene(int count, double noise, unsigned seed) {
   std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> uniform;
+  testing::NormalDistribution<double> normal;
+  testing::UniformDistribution<double> uniform;
   const Similarity3d target_from_source = RandomSimilarity(2, seed);
   std::vector<PointPair> pairs;
   for (int i = 0; i < count; ++i) {

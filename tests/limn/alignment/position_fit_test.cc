@@ -7,6 +7,7 @@
 
 #include "limn/alignment/wire_room.h"
 #include "limn/util/angles.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -18,8 +19,8 @@ using testing::RandomSimilarity;
 std::vector<PointPair> Pairs(const Similarity3d& target_from_source, int count, double radius,
                              double noise, unsigned seed) {
   std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> uniform(0, radius);
+  testing::NormalDistribution<double> normal;
+  testing::UniformDistribution<double> uniform(0, radius);
   std::vector<PointPair> pairs;
   for (int i = 0; i < count; ++i) {
     const Eigen::Vector3d source = uniform(random) * testing::RandomDirection(&random);

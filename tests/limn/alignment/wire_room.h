@@ -13,6 +13,7 @@
 #include "limn/model/drawing_graph.h"
 #include "limn/model/drawing_transform.h"
 #include "limn/util/angles.h"
+#include "support/random_numbers.h"
 
 namespace limn::testing {
 
@@ -58,14 +59,14 @@ inline DrawingGraph WireRoom() {
 }
 
 inline Eigen::Vector3d RandomDirection(std::mt19937* random) {
-  std::normal_distribution<double> normal;
+  testing::NormalDistribution<double> normal;
   return Eigen::Vector3d(normal(*random), normal(*random), normal(*random)).normalized();
 }
 
 // Turned by `angle_rad` about any axis, scaled and moved.
 inline Similarity3d RandomSimilarity(double angle_rad, unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
+  testing::UniformDistribution<double> uniform(-1, 1);
   Similarity3d similarity;
   similarity.rotation = Eigen::AngleAxisd(angle_rad, RandomDirection(&random)).toRotationMatrix();
   similarity.scale = std::exp(uniform(random));

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/belief/belief_scene.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -65,7 +66,7 @@ TEST(StillEdgelsTest, DenseEdgesCoincideByChance) {
   BeliefScene scene;
   scene.Add(FrontalPoint(-50, 40), FrontalPoint(50, 60));
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> jitter_px(-1, 1);
+  testing::UniformDistribution<double> jitter_px(-1, 1);
   for (size_t v = 0; v < 16; ++v) {
     const Eigen::Vector3d center = scene.views[v].CenterInWorld();
     const Eigen::Vector3d below(center.x(), center.y(), 0);

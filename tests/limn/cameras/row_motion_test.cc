@@ -11,6 +11,7 @@
 
 #include "limn/geometry/median_point.h"
 #include "limn/util/median.h"
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -72,7 +73,7 @@ class CurvesOnRows {
 
  private:
   void AddCurve(const std::vector<Motion>& motions, int curve) {
-    std::uniform_real_distribution<double> in_cube(-1.1, 1.1);
+    testing::UniformDistribution<double> in_cube(-1.1, 1.1);
     const auto place = [&] {
       return Eigen::Vector3d(in_cube(random_), in_cube(random_), in_cube(random_));
     };
@@ -110,7 +111,7 @@ class CurvesOnRows {
 
   const int step_;
   std::mt19937 random_{5};
-  std::normal_distribution<double> noise_{0, kEdgelNoisePx};
+  testing::NormalDistribution<double> noise_{0, kEdgelNoisePx};
   std::vector<Landmark> landmarks_;
 };
 

@@ -9,6 +9,7 @@
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/refinement/refinement.h"
 #include "limn/sketch/sketch.h"
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -38,7 +39,7 @@ class Clutter {
 
  private:
   double Uniform(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
+    return testing::UniformDistribution<double>(low, high)(random_);
   }
   Eigen::Vector2d Place() { return {Uniform(90, 550), Uniform(90, 390)}; }
 

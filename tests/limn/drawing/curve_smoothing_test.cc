@@ -8,6 +8,7 @@
 
 #include "limn/drawing/drawing_options.h"
 #include "limn/drawing/sample_curves.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -47,7 +48,7 @@ std::vector<Vector3d> Smooth(const std::vector<Vector3d>& points, bool closed) {
 // Gaussian noise of 0.2 px in all directions.
 std::vector<Vector3d> Noisy(std::vector<Vector3d> points) {
   std::mt19937 random(7);
-  std::normal_distribution<double> gauss(0, 0.2 * kFootprint);
+  testing::NormalDistribution<double> gauss(0, 0.2 * kFootprint);
   for (Vector3d& point : points) {
     for (int axis = 0; axis < 3; ++axis) point[axis] += gauss(random);
   }

@@ -11,6 +11,7 @@
 
 #include "limn/drawing/samples.h"
 #include "limn/geometry/tangent_frame.h"
+#include "support/random_numbers.h"
 
 namespace limn::testing {
 
@@ -100,7 +101,7 @@ class SampleMaker {
   }
 
   Eigen::Vector3d Normal() {
-    std::normal_distribution<double> normal;
+    testing::NormalDistribution<double> normal;
     const double x = normal(random_);
     const double y = normal(random_);
     return {x, y, normal(random_)};

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/edges/edge_detection.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -18,8 +19,8 @@ class DenseTexture : public ::testing::Test {
  protected:
   // Fills a square from `low` to `high`, with `count` edgels per 4 px^2.
   void Fill(double low, double high, int count, double max_angle, double run_px) {
-    std::uniform_real_distribution<double> place(0, 2);
-    std::uniform_real_distribution<double> angle(0, max_angle);
+    testing::UniformDistribution<double> place(0, 2);
+    testing::UniformDistribution<double> angle(0, max_angle);
     for (double y = low; y < high; y += 2) {
       for (double x = low; x < high; x += 2) {
         for (int i = 0; i < count; ++i) {
@@ -85,7 +86,7 @@ TEST(DenseTextureInImages, IsFoundWhereTheGrainIs) {
   image.channels = 1;
   image.data.resize(size_t{200} * 200);
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> phase(0, 2 * M_PI);
+  testing::UniformDistribution<double> phase(0, 2 * M_PI);
   struct Wave {
     double x, y, phase;
   };

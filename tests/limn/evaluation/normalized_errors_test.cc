@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/model/footprint.h"
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -28,7 +29,7 @@ CurveSet AxisX(double z = 0) {
 // Vertices along the x axis with normal errors of this size across it, and their sigma.
 DrawingGraph Noisy(double error, double sigma, const Eigen::Vector3d& offset = {0, 0, 0}) {
   std::mt19937 random(2);
-  std::normal_distribution<double> gauss(0, 1);
+  testing::NormalDistribution<double> gauss(0, 1);
   DrawingGraph graph;
   graph.links.resize(1);
   for (int i = 0; i < 4000; ++i) {

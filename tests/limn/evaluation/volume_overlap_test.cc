@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -136,7 +137,7 @@ TEST(VolumeOverlap, OfThePrismsOfTheChallenge) {
 
 std::vector<Eigen::Vector3d> RandomEnds(int num_edges, unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> coordinate(0, 6);
+  testing::UniformDistribution<double> coordinate(0, 6);
   std::vector<Eigen::Vector3d> ends;
   for (int i = 0; i < 2 * num_edges; ++i) {
     ends.emplace_back(coordinate(random), coordinate(random), coordinate(random));

@@ -189,7 +189,7 @@ TEST(WriteDrawingGlb, JunctionsAndCloudArePoints) {
   options.cloud = {{{1, 2, 3}, {255, 0, 188}}, {{4, 5, 6}, {0, 0, 0}}};
   const Glb glb = WrittenGlb(SmallDrawing(), options);
   EXPECT_EQ(PrimitiveOf(glb, "junctions")["mode"], 0);
-  EXPECT_EQ(NodeNamed(glb, "junctions")["extras"]["nodes"], Json({0}));
+  EXPECT_EQ(NodeNamed(glb, "junctions")["extras"]["nodes"], Json::array({0}));
   EXPECT_THAT(PointsOf(glb, "junctions"), ::testing::SizeIs(1));
   EXPECT_EQ(PrimitiveOf(glb, "cloud")["mode"], 0);
   const std::vector<Eigen::Vector3d> points = PointsOf(glb, "cloud");

@@ -15,6 +15,7 @@
 
 #include "limn/formats/temporary_folder.h"
 #include "limn/util/errors.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -107,7 +108,7 @@ std::string MeshFile(Bytes bytes, const std::vector<MeshVertex>& vertices, size_
 // Of numbers that are exact in all formats.
 std::vector<MeshVertex> AnyVertices(size_t count) {
   std::mt19937 random(3);
-  std::normal_distribution<double> normal;
+  testing::NormalDistribution<double> normal;
   std::vector<MeshVertex> vertices(count);
   for (MeshVertex& vertex : vertices) {
     for (double& value : vertex.position) value = std::round(640 * normal(random)) / 64;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -27,7 +28,7 @@ AssignmentPoints PointsAlongX(const std::vector<double>& places) {
 }
 
 AssignmentPoints RandomPoints(int count, std::mt19937* random) {
-  std::uniform_real_distribution<double> coordinate(0, 1);
+  testing::UniformDistribution<double> coordinate(0, 1);
   AssignmentPoints points;
   for (int i = 0; i < count; ++i) {
     points.emplace_back(coordinate(*random), coordinate(*random), coordinate(*random));

@@ -6,6 +6,8 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
@@ -14,7 +16,7 @@ class BandedSystemTest : public ::testing::TestWithParam<std::pair<int, int>> {}
 TEST_P(BandedSystemTest, AgreesWithDenseCholesky) {
   const auto [size, half_width] = GetParam();
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> uniform(-1, 1);
+  testing::UniformDistribution<double> uniform(-1, 1);
   BandedSystem banded(size, half_width);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd right(size);

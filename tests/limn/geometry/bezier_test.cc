@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
@@ -120,7 +122,7 @@ TEST(FitBeziers, StraightRunsAreLinesAndCornersStay) {
 
 TEST(FitBeziers, RandomLinesStayWithinTheTolerance) {
   std::mt19937 random(7);
-  std::normal_distribution<double> turn(0, 0.4);
+  testing::NormalDistribution<double> turn(0, 0.4);
   for (int round = 0; round < 200; ++round) {
     Points line = {{0, 0}};
     double angle = 0;

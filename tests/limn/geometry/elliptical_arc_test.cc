@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
@@ -16,7 +18,7 @@ Eigen::Vector3d PointOn(const EllipticalArc& arc, double rad) {
 }
 
 CircularArc RandomArc(std::mt19937* random) {
-  std::uniform_real_distribution<double> uniform(-1, 1);
+  testing::UniformDistribution<double> uniform(-1, 1);
   const auto vector = [&] {
     return Eigen::Vector3d(uniform(*random), uniform(*random), uniform(*random));
   };

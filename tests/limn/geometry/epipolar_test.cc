@@ -7,6 +7,8 @@
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
@@ -27,7 +29,7 @@ class TwoViews : public ::testing::Test {
   std::mt19937 random_{7};
 
   Eigen::Vector3d RandomPoint() {
-    std::uniform_real_distribution<double> uniform(-1, 1);
+    testing::UniformDistribution<double> uniform(-1, 1);
     return {uniform(random_), uniform(random_), uniform(random_)};
   }
 };

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
@@ -58,7 +60,7 @@ TEST(TriangulatePolygon, ConcavePolygons) {
 
 TEST(TriangulatePolygon, ManyCornersAtRandomDistances) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> radius(0.2, 1);
+  testing::UniformDistribution<double> radius(0.2, 1);
   std::vector<Eigen::Vector2d> corners;
   for (int i = 0; i < 300; ++i) {
     const double angle = 2 * M_PI * i / 300;

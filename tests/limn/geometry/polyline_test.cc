@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
@@ -42,7 +44,7 @@ TEST(Polyline, ClosestPointSurvivesRepeatedVertices) {
 
 TEST(Polyline, ClosestPointIsNoFartherThanAnySample) {
   std::mt19937 random(3);
-  std::normal_distribution<double> normal;
+  testing::NormalDistribution<double> normal;
   Polyline3d polyline(12);
   for (Eigen::Vector3d& point : polyline) point = {normal(random), normal(random), normal(random)};
   const Polyline3d samples = ResampleUniform(polyline, 0.01);

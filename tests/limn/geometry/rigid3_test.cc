@@ -5,11 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
 Rigid3d RandomRigid(std::mt19937* random) {
-  std::normal_distribution<double> normal;
+  testing::NormalDistribution<double> normal;
   Rigid3d rigid;
   rigid.rotation =
       Eigen::Quaterniond(normal(*random), normal(*random), normal(*random), normal(*random))

@@ -9,13 +9,14 @@
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
 
 std::vector<Eigen::Vector3d> RandomPoints(int count, unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
+  testing::UniformDistribution<double> uniform(-1, 1);
   std::vector<Eigen::Vector3d> points(count);
   for (Eigen::Vector3d& point : points) point = {uniform(random), uniform(random), uniform(random)};
   return points;

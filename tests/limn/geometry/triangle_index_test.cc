@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
@@ -15,7 +17,7 @@ using CornersOfTriangle = std::array<Eigen::Vector3d, 3>;
 class RandomTriangles : public ::testing::Test {
  protected:
   Eigen::Vector3d Point(double extent) {
-    std::uniform_real_distribution<double> uniform(-extent, extent);
+    testing::UniformDistribution<double> uniform(-extent, extent);
     return {uniform(random_), uniform(random_), uniform(random_)};
   }
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/kinds/lights.h"
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -62,7 +63,7 @@ class LinkList {
 // Plates above the ground at various heights and turned differently.
 std::vector<std::array<Eigen::Vector3d, 4>> Plates() {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> share(0, 1);
+  testing::UniformDistribution<double> share(0, 1);
   std::vector<std::array<Eigen::Vector3d, 4>> plates;
   for (int p = 0; p < kNumPlates; ++p) {
     const Eigen::Vector3d center(1.1 * (p % 3 - 1), 1.1 * (p / 3 - 1), 0.25 + 0.5 * share(random));

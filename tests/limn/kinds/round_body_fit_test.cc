@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -51,7 +52,7 @@ std::vector<OutlineSight> SightsOfShape(const TestBody& body, double noise_px,
                                         double spread_deg = 20) {
   std::vector<OutlineSight> sights;
   std::mt19937 random(7);
-  std::normal_distribution<double> noise(0, noise_px);
+  testing::NormalDistribution<double> noise(0, noise_px);
   for (int v = 0; v < 8; ++v) {
     const View view = testing::RingView(spread_deg * v, kSeenFrom, 0.4 * v - 1);
     for (int k = -10; k <= 10; ++k) {

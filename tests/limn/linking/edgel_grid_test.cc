@@ -6,12 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
 TEST(EdgelGrid, AgreesWithBruteForce) {
   std::mt19937 generator(7);
-  std::uniform_real_distribution<double> coordinate(-20, 60);
+  testing::UniformDistribution<double> coordinate(-20, 60);
   std::vector<Edgel> edgels(500);
   for (Edgel& edgel : edgels) edgel.position_px = {coordinate(generator), coordinate(generator)};
   const EdgelGrid grid(edgels, 3.5);

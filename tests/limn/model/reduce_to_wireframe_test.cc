@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -153,7 +154,7 @@ TEST(ReduceToWireframe, AClosedLineHasCornersWhereItBends) {
 
 // A net of noisy lines between corners that are hit with noise.
 std::vector<Polyline3d> NoisyNet(std::mt19937* random) {
-  std::uniform_real_distribution<double> coordinate(-1, 1);
+  testing::UniformDistribution<double> coordinate(-1, 1);
   const auto noise = [&](double size) {
     return Eigen::Vector3d(
         size * Eigen::Vector3d(coordinate(*random), coordinate(*random), coordinate(*random)));

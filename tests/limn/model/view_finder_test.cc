@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -14,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 std::vector<View> RandomViews(int count, std::mt19937* random) {
-  std::normal_distribution<double> normal(0, 1);
+  testing::NormalDistribution<double> normal(0, 1);
   std::vector<View> views(count);
   for (View& view : views) {
     view.camera = {500, 480, 320, 240, 640, 480};
@@ -31,7 +32,7 @@ TEST(ViewFinderTest, NoViewThatContainsAPointIsLost) {
   std::mt19937 random(4);
   const std::vector<View> views = RandomViews(300, &random);
   const ViewFinder finder(views);
-  std::normal_distribution<double> normal(0, 1);
+  testing::NormalDistribution<double> normal(0, 1);
   size_t num_near = 0;
   size_t num_containing = 0;
   for (int i = 0; i < 200; ++i) {

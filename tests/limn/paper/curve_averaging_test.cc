@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/drawing/sample_curves.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -186,7 +187,7 @@ TEST(CurveAveragingTest, WhatRestsStays) {
 AveragingScene NoisyCopies() {
   AveragingScene scene(std::vector<Vector3d>(5, Vector3d::Zero()));
   std::mt19937 random(11);
-  std::normal_distribution<double> gauss(0, 0.15);
+  testing::NormalDistribution<double> gauss(0, 0.15);
   for (Vector3d& position : scene.samples.position) {
     position.y() += gauss(random);
     position.z() += gauss(random);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/paper/merging_scene.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -558,8 +559,8 @@ TEST_P(MergeCurvesTest, NetworkDoesNotJoinWhatTheImagesPart) {
 
 TEST_P(MergeCurvesTest, EverySampleIsInOneLink) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> at(-60, 60);
-  std::uniform_real_distribution<double> wobble(-0.4, 0.4);
+  testing::UniformDistribution<double> at(-60, 60);
+  testing::UniformDistribution<double> wobble(-0.4, 0.4);
   // Streets of a town: curves along one line, then along another.
   for (int i = 0; i < 40; ++i) {
     const double x = 30 * std::round(at(random) / 30);

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
@@ -29,7 +31,7 @@ TEST(Crowding, OnlyOtherParallelLinksCount) {
 
 TEST(Crowding, FindsWhatComparingAllPairsFinds) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> uniform(-40, 40);
+  testing::UniformDistribution<double> uniform(-40, 40);
   std::vector<ImagePlace> places;
   for (int i = 0; i < 400; ++i) places.push_back(At(i % 7, {uniform(random), uniform(random)}, 0));
   const Crowding crowding(places);

@@ -11,6 +11,7 @@
 #include "limn/geometry/polyline.h"
 #include "limn/model/footprint.h"
 #include "limn/refinement/scene_unit.h"
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -72,7 +73,7 @@ DrawingGraph DrawnCube() {
 // Moves every node, and every other point with a wave of its own.
 DrawingGraph Perturbed(DrawingGraph graph, double size_px) {
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> uniform(-1, 1);
+  testing::UniformDistribution<double> uniform(-1, 1);
   const auto offset = [&](const Eigen::Vector3d& point) {
     const Eigen::Vector3d direction(uniform(random), uniform(random), uniform(random));
     return Eigen::Vector3d(size_px * FootprintAt(point) * direction);
@@ -184,7 +185,7 @@ TEST(Refinement, NormalizedErrorsHaveUnitVariance) {
 // them: hundreds of edgels say the same wrong thing.
 std::vector<ImageCurves> CurvesWithOffsets(double offset_px) {
   std::mt19937 random(5);
-  std::normal_distribution<double> gauss(0, offset_px);
+  testing::NormalDistribution<double> gauss(0, offset_px);
   std::vector<ImageCurves> curves = CurvesOfCube(kEdgelNoisePx);
   for (ImageCurves& of_view : curves) {
     for (const CurveFragment& fragment : of_view.fragments) {

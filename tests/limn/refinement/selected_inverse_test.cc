@@ -6,13 +6,15 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
 // Blocks that hang together in a chain with some shortcuts.
 Eigen::MatrixXd ChainMatrix(int num_blocks) {
   std::mt19937 random(3);
-  std::normal_distribution<double> gauss(0, 1);
+  testing::NormalDistribution<double> gauss(0, 1);
   const int size = 3 * num_blocks;
   Eigen::MatrixXd matrix = 0.1 * Eigen::MatrixXd::Identity(size, size);
   for (int b = 0; b < num_blocks; ++b) {

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
+
 namespace limn {
 namespace {
 
@@ -24,7 +26,7 @@ float SquaredGates(const EpipolarCrossing& crossing, const DepthPlace& place) {
 
 // Some across the epipolar line, some nearly along it.
 std::vector<EpipolarCrossing> RandomCrossings(int count, std::mt19937* random) {
-  std::uniform_real_distribution<float> uniform(0, 1);
+  testing::UniformDistribution<float> uniform(0, 1);
   std::vector<EpipolarCrossing> crossings(count);
   for (EpipolarCrossing& crossing : crossings) {
     crossing.inverse_depth = 0.1f + 0.3f * uniform(*random);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/geometry/epipolar.h"
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -38,8 +39,8 @@ class EpipolarChordsTest : public ::testing::Test {
   // Wiggly curves that wander over the image in steps of about 1 px.
   void AddRandomFragments(int count) {
     std::mt19937 random(9);
-    std::uniform_real_distribution<double> x(50, 600), y(50, 430), angle(-M_PI, M_PI);
-    std::normal_distribution<double> turn(0, 0.1);
+    testing::UniformDistribution<double> x(50, 600), y(50, 430), angle(-M_PI, M_PI);
+    testing::NormalDistribution<double> turn(0, 0.1);
     for (int f = 0; f < count; ++f) {
       std::vector<Vector2d> places = {{x(random), y(random)}};
       double direction = angle(random);
@@ -132,7 +133,7 @@ TEST_F(EpipolarChordsTest, EveryCrossingOfRandomLinesExactlyOnce) {
     const FragmentChords chords_of_other(curves_);
     const EpipolarChords chords(pair.primary, pair.other, chords_of_other);
     std::mt19937 random(10);
-    std::uniform_real_distribution<double> x(0, 639), y(0, 479);
+    testing::UniformDistribution<double> x(0, 639), y(0, 479);
     int num_lines = 0;
     size_t num_crossings = 0;
     for (int i = 0; i < 2000; ++i) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -35,7 +36,7 @@ class EdgelIndexTest : public ::testing::Test {
  protected:
   EdgelIndexTest() {
     std::mt19937 random(5);
-    std::uniform_real_distribution<double> x(20, 120), y(30, 90), angle(-M_PI, M_PI);
+    testing::UniformDistribution<double> x(20, 120), y(30, 90), angle(-M_PI, M_PI);
     std::vector<Edgel> edgels;
     for (int i = 0; i < 4000; ++i) {
       edgels.push_back(testing::MakeEdgel({x(random), y(random)}, angle(random)));

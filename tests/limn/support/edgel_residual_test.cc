@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -35,7 +36,7 @@ TEST_F(EdgelResidualTest, IsTheDistanceFromTheTangentLine) {
 
 TEST_F(EdgelResidualTest, GradientAgreesWithFiniteDifferences) {
   std::mt19937 random(2);
-  std::uniform_real_distribution<double> uniform(-1, 1);
+  testing::UniformDistribution<double> uniform(-1, 1);
   for (int i = 0; i < 100; ++i) {
     edgel_.tangent_rad = M_PI * uniform(random);
     edgel_.stored_from_virtual << 0.9f, 0.1f * static_cast<float>(uniform(random)), -0.05f, 1.1f;

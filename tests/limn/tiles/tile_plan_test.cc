@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -26,7 +27,7 @@ struct Scene {
 
 void AddPoints(int count, const Eigen::Vector3d& low, const Eigen::Vector3d& high, Scene* scene) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> share(0, 1);
+  testing::UniformDistribution<double> share(0, 1);
   while (static_cast<int>(scene->hints.points.size()) < count) {
     Eigen::Vector3d point;
     for (int i = 0; i < 3; ++i) point[i] = low[i] + (high[i] - low[i]) * share(random);

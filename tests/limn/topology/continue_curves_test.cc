@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/topology/frontal_scene.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -231,7 +232,7 @@ TEST(ContinueCurvesTest, ClutterShowsNoLine) {
   double added_px = 0;
   for (unsigned seed = 0; seed < kNumScenes; ++seed) {
     std::mt19937 random(seed);
-    std::uniform_real_distribution<double> uniform(-1, 1);
+    testing::UniformDistribution<double> uniform(-1, 1);
     FrontalScene scene;
     for (const ViewId view : scene.AllViews()) {
       for (int i = 0; i < 120; ++i) {

@@ -10,6 +10,7 @@
 
 #include "limn/topology/editor_fixture.h"
 #include "limn/topology/link_geometry.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -56,7 +57,7 @@ class RandomEdits {
  private:
   int Int(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
   double Uniform(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
+    return testing::UniformDistribution<double>(low, high)(random_);
   }
   // On a small grid, so that points and lines coincide often.
   Vector3d Place() {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
+#include "support/random_numbers.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -65,7 +66,7 @@ TEST(RenderDepth, TheNearestSurfaceCounts) {
 // beyond the border.
 TEST(RenderDepth, TrianglesLeaveNoCracks) {
   std::mt19937 random(5);
-  std::uniform_real_distribution<double> jitter(-0.4, 0.4);
+  testing::UniformDistribution<double> jitter(-0.4, 0.4);
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::vector<int>> faces;
   constexpr int kCells = 40;

@@ -19,6 +19,7 @@
 #include "limn/geometry/polygon_with_holes.h"
 #include "limn/model/drawing_transform.h"
 #include "support/face_drawing.h"
+#include "support/random_numbers.h"
 
 namespace limn {
 namespace {
@@ -196,7 +197,7 @@ TEST_F(StepFaces, VerticesGoToWherePlanesMeet) {
   constexpr double kNoise = 0.002;
   DrawingGraph graph = testing::UnitCube();
   std::mt19937 random(7);
-  std::normal_distribution<double> noise(0, kNoise);
+  testing::NormalDistribution<double> noise(0, kNoise);
   for (DrawingFace& face : graph.faces) {
     for (int axis = 0; axis < 3; ++axis) face.normal[axis] += noise(random);
     face.normal.normalize();
@@ -213,7 +214,7 @@ TEST_F(StepFaces, ACylinderOfNoisyCirclesIsASolid) {
   std::mt19937 random(3);
   for (const double noise : {1e-5, 1e-4, 1e-3}) {
     SCOPED_TRACE(noise);
-    std::normal_distribution<double> normal(0, noise);
+    testing::NormalDistribution<double> normal(0, noise);
     const auto random_vector = [&] {
       return Eigen::Vector3d(normal(random), normal(random), normal(random));
     };
