@@ -78,7 +78,7 @@ double DepthOfScene(const std::vector<View>& views, const std::vector<Eigen::Vec
 // at the depth of the scene.
 void DisturbCameras(double error_px, double depth, std::mt19937* random, SparseModel* model) {
   testing::NormalDistribution<double> gauss(0, error_px);
-  const auto draw = [&] { return Eigen::Vector3d(gauss(*random), gauss(*random), gauss(*random)); };
+  const auto draw = [&] { return testing::RandomVector(gauss, *random); };
   for (auto& image : model->images) {
     const double focal = IntrinsicsOf(model->CameraOf(image)).fx;
     const Eigen::Vector3d turn = draw().cwiseProduct(Eigen::Vector3d(1, 1, 0.5)) / focal;
@@ -97,7 +97,7 @@ void TurnCameras(double angle_deg, std::mt19937* random, SparseModel* model) {
   std::shuffle(order.begin(), order.end(), *random);
   order.resize(std::max<size_t>(1, order.size() / 100));
   for (const size_t i : order) {
-    const Eigen::Vector3d axis(gauss(*random), gauss(*random), gauss(*random));
+    const Eigen::Vector3d axis = testing::RandomVector(gauss, *random);
     Rigid3d turn;
     turn.rotation = Eigen::AngleAxisd(angle_deg * kDeg, axis.normalized());
     model->images[i].cam_from_world = turn * model->images[i].cam_from_world;

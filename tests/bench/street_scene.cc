@@ -33,7 +33,7 @@ double Uniform(std::mt19937* random, double low, double high) {
 
 Eigen::Vector3d RandomDirection(std::mt19937* random) {
   testing::NormalDistribution<double> gauss(0, 1);
-  return Eigen::Vector3d(gauss(*random), gauss(*random), gauss(*random)).normalized();
+  return testing::RandomVector(gauss, *random).normalized();
 }
 
 View MakeView(int index, std::mt19937* random) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include <Eigen/Core>
+
 namespace limn::testing {
 
 // Random numbers of tests. The standard fixes std::mt19937, but not what its distributions make of
@@ -67,5 +69,14 @@ class NormalDistribution {
   bool has_next_ = false;
   Real next_ = 0;
 };
+
+// Three numbers, z first: in which order arguments of a function are computed is up to the
+// compiler.
+template <typename Distribution>
+Eigen::Vector3d RandomVector(Distribution& distribution, std::mt19937& random) {
+  const double z = distribution(random);
+  const double y = distribution(random);
+  return {distribution(random), y, z};
+}
 
 }  // namespace limn::testing

@@ -24,7 +24,7 @@ Eigen::Vector2d PixelOf(const Eigen::Vector3d& ray) {
 
 Eigen::Vector3d RandomRay(std::mt19937* random) {
   testing::NormalDistribution<double> normal;
-  return Eigen::Vector3d(normal(*random), normal(*random), normal(*random)).normalized();
+  return testing::RandomVector(normal, *random).normalized();
 }
 
 // Where a direction is in the pinhole image of a part, if the part shows it.

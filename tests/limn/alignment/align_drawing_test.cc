@@ -31,8 +31,7 @@ class AlignDrawingTest : public ::testing::Test {
     std::mt19937 random(1);
     testing::NormalDistribution<double> normal(0, noise);
     for (size_t v = 0; v < views_.size(); ++v) {
-      priors_[v].position =
-          centers_[v] + Eigen::Vector3d(normal(random), normal(random), normal(random));
+      priors_[v].position = centers_[v] + testing::RandomVector(normal, random);
     }
   }
 

@@ -28,7 +28,7 @@ std::vector<PointPair> AroundAScene(int count, double noise, unsigned seed) {
     const double azimuth = 2 * M_PI * uniform(random), radius = 6 + 4 * uniform(random);
     const Eigen::Vector3d at(radius * std::cos(azimuth), radius * std::sin(azimuth),
                              5 * uniform(random));
-    const Eigen::Vector3d error(normal(random), normal(random), normal(random));
+    const Eigen::Vector3d error = testing::RandomVector(normal, random);
     pairs.push_back({Inverse(target_from_source) * at, at + noise * error});
   }
   return pairs;

@@ -23,8 +23,9 @@ std::vector<PointPair> Pairs(const Similarity3d& target_from_source, int count, 
   testing::UniformDistribution<double> uniform(0, radius);
   std::vector<PointPair> pairs;
   for (int i = 0; i < count; ++i) {
-    const Eigen::Vector3d source = uniform(random) * testing::RandomDirection(&random);
-    const Eigen::Vector3d error(normal(random), normal(random), normal(random));
+    const Eigen::Vector3d direction = testing::RandomDirection(&random);
+    const Eigen::Vector3d source = uniform(random) * direction;
+    const Eigen::Vector3d error = testing::RandomVector(normal, random);
     pairs.push_back({source, target_from_source * source + noise * error});
   }
   return pairs;

@@ -60,7 +60,7 @@ inline DrawingGraph WireRoom() {
 
 inline Eigen::Vector3d RandomDirection(std::mt19937* random) {
   testing::NormalDistribution<double> normal;
-  return Eigen::Vector3d(normal(*random), normal(*random), normal(*random)).normalized();
+  return testing::RandomVector(normal, *random).normalized();
 }
 
 // Turned by `angle_rad` about any axis, scaled and moved.

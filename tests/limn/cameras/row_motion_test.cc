@@ -74,9 +74,7 @@ class CurvesOnRows {
  private:
   void AddCurve(const std::vector<Motion>& motions, int curve) {
     testing::UniformDistribution<double> in_cube(-1.1, 1.1);
-    const auto place = [&] {
-      return Eigen::Vector3d(in_cube(random_), in_cube(random_), in_cube(random_));
-    };
+    const auto place = [&] { return testing::RandomVector(in_cube, random_); };
     const Eigen::Vector3d from = place();
     const Eigen::Vector3d along = place() - from;
     std::vector<double> offsets_px;

@@ -140,7 +140,7 @@ std::vector<Eigen::Vector3d> RandomEnds(int num_edges, unsigned seed) {
   testing::UniformDistribution<double> coordinate(0, 6);
   std::vector<Eigen::Vector3d> ends;
   for (int i = 0; i < 2 * num_edges; ++i) {
-    ends.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+    ends.push_back(testing::RandomVector(coordinate, random));
   }
   return ends;
 }

@@ -31,7 +31,7 @@ AssignmentPoints RandomPoints(int count, std::mt19937* random) {
   testing::UniformDistribution<double> coordinate(0, 1);
   AssignmentPoints points;
   for (int i = 0; i < count; ++i) {
-    points.emplace_back(coordinate(*random), coordinate(*random), coordinate(*random));
+    points.push_back(testing::RandomVector(coordinate, *random));
   }
   return points;
 }

@@ -19,9 +19,7 @@ Eigen::Vector3d PointOn(const EllipticalArc& arc, double rad) {
 
 CircularArc RandomArc(std::mt19937* random) {
   testing::UniformDistribution<double> uniform(-1, 1);
-  const auto vector = [&] {
-    return Eigen::Vector3d(uniform(*random), uniform(*random), uniform(*random));
-  };
+  const auto vector = [&] { return testing::RandomVector(uniform, *random); };
   CircularArc arc;
   arc.center = vector();
   arc.x_axis = vector().normalized();

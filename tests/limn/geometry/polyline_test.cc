@@ -49,7 +49,7 @@ TEST(Polyline, ClosestPointIsNoFartherThanAnySample) {
   for (Eigen::Vector3d& point : polyline) point = {normal(random), normal(random), normal(random)};
   const Polyline3d samples = ResampleUniform(polyline, 0.01);
   for (int i = 0; i < 20; ++i) {
-    const Eigen::Vector3d query(normal(random), normal(random), normal(random));
+    const Eigen::Vector3d query = testing::RandomVector(normal, random);
     double best = INFINITY;
     for (const Eigen::Vector3d& sample : samples) best = std::min(best, (sample - query).norm());
     const PolylinePoint place = ClosestPoint(polyline, query);

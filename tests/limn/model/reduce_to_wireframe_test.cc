@@ -156,8 +156,7 @@ TEST(ReduceToWireframe, AClosedLineHasCornersWhereItBends) {
 std::vector<Polyline3d> NoisyNet(std::mt19937* random) {
   testing::UniformDistribution<double> coordinate(-1, 1);
   const auto noise = [&](double size) {
-    return Eigen::Vector3d(
-        size * Eigen::Vector3d(coordinate(*random), coordinate(*random), coordinate(*random)));
+    return Eigen::Vector3d(size * testing::RandomVector(coordinate, *random));
   };
   std::vector<Eigen::Vector3d> corners;
   for (int i = 0; i < 12; ++i) corners.push_back(noise(2));

@@ -75,7 +75,7 @@ DrawingGraph Perturbed(DrawingGraph graph, double size_px) {
   std::mt19937 random(11);
   testing::UniformDistribution<double> uniform(-1, 1);
   const auto offset = [&](const Eigen::Vector3d& point) {
-    const Eigen::Vector3d direction(uniform(random), uniform(random), uniform(random));
+    const Eigen::Vector3d direction = testing::RandomVector(uniform, random);
     return Eigen::Vector3d(size_px * FootprintAt(point) * direction);
   };
   for (DrawingNode& node : graph.nodes) node.position_in_world += offset(node.position_in_world);

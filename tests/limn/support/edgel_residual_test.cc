@@ -40,7 +40,7 @@ TEST_F(EdgelResidualTest, GradientAgreesWithFiniteDifferences) {
   for (int i = 0; i < 100; ++i) {
     edgel_.tangent_rad = M_PI * uniform(random);
     edgel_.stored_from_virtual << 0.9f, 0.1f * static_cast<float>(uniform(random)), -0.05f, 1.1f;
-    const Vector3d point(uniform(random), uniform(random), uniform(random));
+    const Vector3d point = testing::RandomVector(uniform, random);
     const auto residual = ResidualToEdgel(view_, edgel_, point);
     ASSERT_TRUE(residual.has_value());
     const double step = 1e-5;

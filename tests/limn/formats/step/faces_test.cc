@@ -215,9 +215,7 @@ TEST_F(StepFaces, ACylinderOfNoisyCirclesIsASolid) {
   for (const double noise : {1e-5, 1e-4, 1e-3}) {
     SCOPED_TRACE(noise);
     testing::NormalDistribution<double> normal(0, noise);
-    const auto random_vector = [&] {
-      return Eigen::Vector3d(normal(random), normal(random), normal(random));
-    };
+    const auto random_vector = [&] { return testing::RandomVector(normal, random); };
     DrawingGraph graph = testing::Cylinder();
     for (DrawingLink& link : graph.links) {
       auto& arc = std::get<CircularArc>(link.primitive->shape);
