@@ -135,14 +135,26 @@ std::optional<Similarity3d> FitWithoutWrong(const std::vector<PointPair>& pairs,
   return best;
 }
 
-std::vector<double> RobustWeights(const std::vector<PointPair>& pairs,
-                                  const std::vector<double>& scaled_residuals, size_t num_wrong) {
+// What rounding may leave of a scaled residual, however well the pairs fit.
+double RoundingOf(const std::vector<PointPair>& pairs, const Similarity3d& fit) {
+  constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+  double rounding = 0;
+  for (const PointPair& pair : pairs) {
+    const double size = std::max(pair.target.norm(), fit.translation.norm());
+    rounding = std::max(rounding, kRounding * size * std::sqrt(pair.weight));
+  }
+  return rounding;
+}
+
+std::vector<double> RobustWeights(const std::vector<PointPair>& pairs, const Similarity3d& fit,
+                                  size_t num_wrong) {
+  const std::vector<double> residuals = ScaledResiduals(pairs, fit);
   // Along each axis.
-  const double sigma = TypicalResidual(scaled_residuals, num_wrong) / kMedianDistance;
-  const double limit = kOutlierSigmas * sigma;
+  const double sigma = TypicalResidual(residuals, num_wrong) / kMedianDistance;
+  const double limit = std::max(kOutlierSigmas * sigma, RoundingOf(pairs, fit));
   std::vector<double> weights;
   for (size_t i = 0; i < pairs.size(); ++i) {
-    weights.push_back(scaled_residuals[i] <= limit ? pairs[i].weight : 0);
+    weights.push_back(residuals[i] <= limit ? pairs[i].weight : 0);
   }
   return weights;
 }
@@ -195,7 +207,7 @@ std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs) {
   fit.target_from_source = without_wrong.value_or(*best);
   std::vector<double> weights;
   for (int k = 0; k < kNumIterations; ++k) {
-    weights = RobustWeights(pairs, ScaledResiduals(pairs, fit.target_from_source), num_wrong);
+    weights = RobustWeights(pairs, fit.target_from_source, num_wrong);
     const std::optional<Similarity3d> next = FitWeighted(pairs, weights);
     if (!next) break;
     fit.target_from_source = *next;

@@ -31,6 +31,16 @@ std::vector<PointPair> Pairs(const Similarity3d& target_from_source, int count, 
   return pairs;
 }
 
+TEST(PositionFit, RoundingIsNoError) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    Similarity3d far = RandomSimilarity(2, seed);
+    far.translation = Eigen::Vector3d(450000, 5411000, 120);  // a grid of a survey
+    const auto fit = FitPositions(Pairs(far, 20, 3, 0, seed));
+    ASSERT_TRUE(fit);
+    EXPECT_EQ(fit->num_rejected, 0u) << seed;
+  }
+}
+
 TEST(PositionFit, FindsASimilarityAmongWrongPairs) {
   const Similarity3d truth = RandomSimilarity(2, 3);
   std::vector<PointPair> pairs = Pairs(truth, 20, 3, 0, 1);
