@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # libcxx_libraries.sh <folder>: build the libraries that have C++ interfaces into <folder>/lib with clang and libc++, from the
-# sources of Debian's packages, for scripts/test_libcxx.sh --tests. Does nothing if they are there. Takes about 15 minutes on two cores.
+# sources of Debian's packages, for scripts/test_libcxx.sh --tests. Does nothing if they are there.
 set -euo pipefail
 : "${CXX:?is set by scripts/test_libcxx.sh}"
 mkdir -p "$1"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes the tables and figures of the paper, and of Limn beside it: datasets/RESULTS.md and its pictures. Takes some five hours on two cores.
+# Makes the tables and figures of the paper, and of Limn beside it: datasets/RESULTS.md and its pictures. Takes hours.
 # Argument: the folder of data sets (tests/bench/data_sets.cc), by default ../shared/data; those that are not there are left out.
 set -euo pipefail
 [ $# -le 1 ] || { echo "usage: scripts/reproduce_results.sh [folder of the data sets]" >&2; exit 1; }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Cross-compiles the unit tests, hence all but the parts for Python, MPI and STEP, for aarch64 and runs them under qemu-user: build/aarch64. Takes an
-# hour and a half on two cores. Arguments are names of tests, by default all.
+# Cross-compiles the unit tests, hence all but the parts for Python, MPI and STEP, for aarch64 and runs them under qemu-user: build/aarch64.
+# Arguments are names of tests, by default all.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh g++-aarch64-linux-gnu qemu-user-static mmdebstrap

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Compiles all libraries but the parts for Python, MPI and STEP with clang and libc++, the standard library of macOS and FreeBSD:
-# build/libcxx. With --tests it also builds the libraries that Limn needs that way, and runs the unit tests (another half an hour on two cores).
+# build/libcxx. With --tests it also builds the libraries that Limn needs that way, and runs the unit tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh clang-19 googletest dpkg-dev libopenjp2-7-dev libpng-dev libtiff-dev libwebp-dev

@@ -175,8 +175,8 @@ HEAD = """## Wrong cameras
 Written by `scripts/pose_ladder.sh` at {commit}. Cells: drawn with `--refine_cameras 0` / `auto`; where there is one figure, with `auto`. Cameras are
 off in their rotations about the x and y axes and their centers along each axis by that many px (standard deviation); or they are a model that the set
 has, or what COLMAP makes of the photographs with one camera of a model (herz-jesu-p8: against cameras from LIDAR). `scale-2`: images enlarged twice.
-All is judged in the frame of the true cameras (`drawing_evaluator --true_model_path`), and F in pixels of the set as it is, where centers (unit of the model), rotations,
-rays through the same pixels and focal lengths are off by what the table says, in the median. *Of exact*: F of the last way, relative to drawing the
+All is judged in the frame of the true cameras (`drawing_evaluator --true_model_path`), where centers (unit of the model), rotations, rays through the
+same pixels and focal lengths are off by what the table says, in the median; F at other sizes is within the same distances. *Of exact*: F of the last way, relative to drawing the
 set as it is; *refined*: whether cameras were changed.
 
 """
@@ -198,7 +198,7 @@ def parsed():
     parser.add_argument("--pose_noise", required=True)
     parser.add_argument("--output_path", required=True, type=Path)
     parser.add_argument("--data_path", default=ROOT.parent / "shared/data", type=Path)
-    parser.add_argument("--sets", type=words, default=[], help="by default the sample and, where there are data, all")
+    parser.add_argument("--sets", type=words, default=[], help="by default the sample and all data sets that are there")
     parser.add_argument("--errors", type=words, default=[], help="px, turned, a set's own models, or " + ", ".join((*COLMAP, *SCALES)))
     parser.add_argument("--seeds", type=words, default=["1"])
     arguments = parser.parse_args()

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # fetched_library_test.sh <compiler> [all]: a small project that has Limn as a part (FetchContent): it is configured, its own source and one
-# module are compiled. With "all" it is built and run, which takes ten minutes.
+# module are compiled. With "all" it is built and run.
 set -euo pipefail
 compiler=$1
 here=$(cd "$(dirname "$0")" && pwd)

@@ -146,12 +146,12 @@ double RoundingOf(const std::vector<PointPair>& pairs, const Similarity3d& fit) 
   return rounding;
 }
 
-std::vector<double> RobustWeights(const std::vector<PointPair>& pairs, const Similarity3d& fit,
+std::vector<double> RobustWeights(const std::vector<PointPair>& pairs,
+                                  const std::vector<double>& residuals, double rounding,
                                   size_t num_wrong) {
-  const std::vector<double> residuals = ScaledResiduals(pairs, fit);
   // Along each axis.
   const double sigma = TypicalResidual(residuals, num_wrong) / kMedianDistance;
-  const double limit = std::max(kOutlierSigmas * sigma, RoundingOf(pairs, fit));
+  const double limit = std::max(kOutlierSigmas * sigma, rounding);
   std::vector<double> weights;
   for (size_t i = 0; i < pairs.size(); ++i) {
     weights.push_back(residuals[i] <= limit ? pairs[i].weight : 0);
@@ -205,9 +205,11 @@ std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs) {
   const size_t num_wrong = without_wrong ? 1 : 0;
   PositionFit fit;
   fit.target_from_source = without_wrong.value_or(*best);
+  const double rounding = RoundingOf(pairs, fit.target_from_source);
   std::vector<double> weights;
   for (int k = 0; k < kNumIterations; ++k) {
-    weights = RobustWeights(pairs, fit.target_from_source, num_wrong);
+    weights =
+        RobustWeights(pairs, ScaledResiduals(pairs, fit.target_from_source), rounding, num_wrong);
     const std::optional<Similarity3d> next = FitWeighted(pairs, weights);
     if (!next) break;
     fit.target_from_source = *next;

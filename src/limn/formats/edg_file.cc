@@ -56,10 +56,12 @@ EdgHeader ReadHeader(TextScanner* scanner) {
     if (is_first && !line.starts_with("# EDGE_MAP")) scanner->Fail("not an edge map");
     if (is_first) header.has_uncertainty = line.find("v3") != std::string_view::npos;
     is_first = false;
-    if (const auto width = ValueOf(*scanner, line, "WIDTH="))
+    if (const auto width = ValueOf(*scanner, line, "WIDTH=")) {
       SetSize(*scanner, *width, &header.width);
-    if (const auto height = ValueOf(*scanner, line, "HEIGHT="))
+    }
+    if (const auto height = ValueOf(*scanner, line, "HEIGHT=")) {
       SetSize(*scanner, *height, &header.height);
+    }
     if (const auto count = ValueOf(*scanner, line, "EDGE_COUNT=")) {
       if (header.width < 0 || header.height < 0) scanner->Fail("no WIDTH and HEIGHT");
       if (!(*count >= 0 && *count <= 1e9)) scanner->Fail("impossible EDGE_COUNT");
