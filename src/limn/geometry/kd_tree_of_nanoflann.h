@@ -38,8 +38,10 @@ class KdTree {
   };
   template <typename Result>
   struct NanoflannResult {
-    using DistanceType = double;  // since 1.7
-    using IndexType = size_t;     // since 1.8
+    // For newer versions, as is sort().
+    using DistanceType = double;
+    using IndexType = size_t;
+
     Result* result;
     bool full() const { return result->full(); }
     bool addPoint(double squared_distance, size_t index) {
@@ -47,7 +49,7 @@ class KdTree {
       return true;  // go on
     }
     double worstDist() const { return result->worstDist(); }
-    void sort() {}  // since 1.6
+    void sort() {}
   };
 
   Points points_;

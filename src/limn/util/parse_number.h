@@ -17,14 +17,14 @@ std::optional<double> ParseDoubleByStream(std::string_view text);
 // cannot hold.
 template <typename Number>
 std::optional<Number> ParseNumber(std::string_view text) {
-#ifndef __cpp_lib_to_chars
-  if constexpr (std::is_floating_point_v<Number>) {
-    static_assert(std::is_same_v<Number, double>);
+#ifdef __cpp_lib_to_chars
+  constexpr bool kByStream = false;
+#else
+  constexpr bool kByStream = std::is_same_v<Number, double>;
+#endif
+  if constexpr (kByStream) {
     return ParseDoubleByStream(text);
   } else {
-#else
-  {
-#endif
     Number number{};
     const char* const last = text.data() + text.size();
     const auto [end, error] = std::from_chars(text.data(), last, number);

@@ -87,6 +87,9 @@ TEST(EdgFile, DamagedFilesAreRefused) {
   EXPECT_THROW(read(header + "EDGE_COUNT=0\n" + edgel), IoError);
   EXPECT_THROW(read(header + "EDGE_COUNT=1\n[1, 1] 0 1 [1, nan] 0 1 0\n"), IoError);
   EXPECT_THROW(read(header + "EDGE_COUNT=-3\n"), IoError);
+  for (const char* count : {"", "x", "1px"}) {
+    EXPECT_THROW(read(header + "EDGE_COUNT=" + count + "\n" + edgel), IoError) << count;
+  }
 }
 
 TEST(EdgFile, ImpossibleEdgelsAreRefusedByLine) {
