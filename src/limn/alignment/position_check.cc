@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <random>
@@ -95,9 +94,7 @@ LinearMap FitLinearRobustly(const std::vector<PointPair>& pairs) {
   double least = TypicalOfLinear(ScaledDistances(pairs, best));
   std::mt19937 random(1);
   for (int k = 0; k < kNumLinearSamples; ++k) {
-    std::vector<PointPair> sample;
-    std::sample(pairs.begin(), pairs.end(), std::back_inserter(sample), kMinPairsOfLinear, random);
-    const LinearMap map = FitLinear(sample);
+    const LinearMap map = FitLinear(RandomSample(pairs, kMinPairsOfLinear, &random));
     const double typical = TypicalOfLinear(ScaledDistances(pairs, map));
     if (!(typical < least)) continue;
     least = typical;

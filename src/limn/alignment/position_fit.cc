@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <random>
 
@@ -12,6 +11,7 @@
 #include <Eigen/SVD>
 
 #include "limn/util/median.h"
+#include "limn/util/random_index.h"
 
 namespace limn {
 namespace {
@@ -105,8 +105,7 @@ std::optional<Similarity3d> BestStart(const std::vector<PointPair>& pairs) {
   consider(FitWeighted(pairs, GivenWeights(pairs)));
   std::mt19937 random(1);
   for (int k = 0; k < kNumSamples; ++k) {
-    std::vector<PointPair> sample;
-    std::sample(pairs.begin(), pairs.end(), std::back_inserter(sample), 3, random);
+    const std::vector<PointPair> sample = RandomSample(pairs, 3, &random);
     consider(FitWeighted(sample, GivenWeights(sample)));
   }
   return best;
