@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "colmap_ext/host/plugin.h"
 #include "colmap_ext/import/new_model_folder.h"
@@ -17,6 +18,7 @@
 #include "limn/alignment/drawing_span.h"
 #include "limn/formats/ply_points_reader.h"
 #include "limn/formats/svg/svg_drawing_writer.h"
+#include "limn/geometry/curve_shape.h"
 #include "limn/model/curve_set.h"
 #include "limn/pipeline/pipeline_options.h"
 #include "limn/util/errors.h"
@@ -202,6 +204,15 @@ Eigen::Vector3d FrontOf(const DrawingMetadata& metadata) {
   return std::copysign(1.0, direction[axis]) * Eigen::Vector3d::Unit(axis);
 }
 
+DrawingGraph InSegments(DrawingGraph graph) {
+  for (DrawingLink& link : graph.links) {
+    const bool is_curved =
+        link.primitive && !std::holds_alternative<LineSegment>(link.primitive->shape);
+    if (is_curved) link.primitive.reset();
+  }
+  return graph;
+}
+
 std::vector<DrawingFace> TransformedFaces(std::vector<DrawingFace> faces,
                                           const Similarity3d& similarity) {
   for (DrawingFace& face : faces) face = Transformed(std::move(face), similarity);
@@ -272,11 +283,13 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
   DrawingGraph graph =
       Transformed(Selected(std::move(drawing.graph), options.selection.Selection()), scale,
                   rotation, translation);
+  if (options.segments) graph = InSegments(std::move(graph));
   DrawingFormatOptions format = options.format;
   if (FormatName(options) == "step") format.write_step = LoadStepWriter();
   format.unit = frame.unit;
   metadata = After(frame.from_model, std::move(metadata));
   format.dxf.junctions = format.glb.junctions = options.junctions;
+  format.obj.segments = options.segments;
   format.glb.rods_as_tubes = format.step.rods_as_tubes = options.rods_as_tubes;
   if (!options.cloud_path.empty()) {
     format.glb.cloud = ReadCloud(options.cloud_path, frame.from_model);
@@ -323,12 +336,12 @@ void CheckOutput(const ExporterOptions& options) {
 }
 
 void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
-  parser->AddOption("segments", &format->obj.segments,
-                    "OBJ: elements of two vertices, for MeshLab, which shows no polylines");
   parser->AddOption("y_up", &format->obj.y_up, "OBJ: y points up instead of z");
   parser->AddOption("objects", &format->glb.objects,
                     {{"kind", GlbObjects::kKind}, {"link", GlbObjects::kLink}},
                     "GLB: what becomes an object, all links of a kind of edge or each link");
+  parser->AddOption("sheet", &format->dxf.sheet,
+                    "DXF plans: a sheet in the paper space, which LibreCAD shows in the model");
   parser->AddOption(
       "layers", &format->dxf.layers,
       {{"class", DxfLayers::kClass},
@@ -389,6 +402,9 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
                     "DXF, GLB and SVG: junctions as points on their own layer");
   selection.AddOptions(parser);
   parser->AddOption("rods_as_tubes", &rods_as_tubes, "GLB and STEP: rods as tubes of their radius");
+  parser->AddOption("segments", &segments,
+                    "curves as straight segments, for programs that do not read arcs (DXF for "
+                    "CloudCompare); OBJ: elements of two vertices, for MeshLab");
   AddFormatOptions(&format, parser);
   parser->AddOption("cloud_path", &cloud_path, "GLB: a cloud to go with it, .ply");
   svg.AddOptions(parser);

@@ -26,6 +26,8 @@ struct ExporterOptions {
   SelectionOptions selection;
   // GLB and STEP: rods as tubes of their radius.
   bool rods_as_tubes = false;
+  // Curved primitives as the segments between the points of their links.
+  bool segments = false;
   std::string cloud_path;
   DrawingFormatOptions format;
   double scale = 1;

@@ -405,6 +405,10 @@ TEST(DrawingExporterDxf, APlanIsOnASheetToScale) {
   // Larger paper for what A3 does not hold.
   exported.Export("e.dxf", {"--view", "top", "--aligned", "1", "--sheet_scale", "2"});
   EXPECT_GT(exported.Read("read_dxf.py", "e.dxf").at("sheet").at("size")[1], 1000);
+  exported.Export("f.dxf", {"--view", "top", "--aligned", "1", "--sheet", "0"});
+  const json without = exported.Read("read_dxf.py", "f.dxf");
+  ExpectSoundFile(without);
+  EXPECT_TRUE(without.at("sheet").is_null());
 }
 
 TEST(DrawingExporterDxf, CirclesSeenAtAnAngleAreEllipses) {

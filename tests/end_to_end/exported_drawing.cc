@@ -51,6 +51,12 @@ nlohmann::json ExportedDrawing::Read(const std::string& script, const std::strin
   return LastLine(RunProgram("/usr/bin/python3", {ReaderPath(script), Path(name)}), "{");
 }
 
+nlohmann::json ExportedDrawing::ReadIn(const std::string& program, const std::string& name) const {
+  return LastLine(
+      RunProgram("/usr/bin/python3", {ReaderPath("read_in_programs.py"), program, Path(name)}),
+      "{");
+}
+
 nlohmann::json ExportedDrawing::ReadInBlender(const std::string& script,
                                               const std::string& name) const {
   return LastLine(RunProgram("blender", {"--background", "--factory-startup", "--python-exit-code",

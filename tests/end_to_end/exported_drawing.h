@@ -30,7 +30,9 @@ class ExportedDrawing {
 
   // What tests/scripts/readers/<script> prints of the file: the JSON of its last line.
   nlohmann::json Read(const std::string& script, const std::string& name) const;
-  // The same, run inside Blender.
+  // What read_in_programs.py there prints of a program that reads the file.
+  nlohmann::json ReadIn(const std::string& program, const std::string& name) const;
+  // As Read, run inside Blender.
   nlohmann::json ReadInBlender(const std::string& script, const std::string& name) const;
 
   const TempDir& dir() const { return dir_; }

@@ -56,7 +56,9 @@ std::vector<EdgeSolid> SolidsIn(const Wireframe& wireframe, const HssOptions& op
 int CountRight(const std::vector<Eigen::Vector3d>& corners,
                const std::vector<Eigen::Vector3d>& truth, double max_distance,
                const RunContext& context) {
-  const auto [smaller, larger] = std::minmax<double>(corners.size(), truth.size());
+  const auto num_corners = static_cast<double>(corners.size());
+  const auto num_true = static_cast<double>(truth.size());
+  const auto [smaller, larger] = std::minmax(num_corners, num_true);
   if (smaller * smaller * larger > kMaxAssignmentSteps) {
     throw InputError(std::to_string(corners.size()) + " corners are too many to assign " +
                      std::to_string(truth.size()) +

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
 #include "limn/geometry/polyline.h"

@@ -10,8 +10,7 @@
 
 namespace limn {
 
-// Of all that is in the paper space: programs without one, such as LibreCAD, show it in the model,
-// where it is to be hidden.
+// Of all that is in the paper space.
 constexpr const char* kDxfSheetLayer = "sheet";
 
 // A sheet of paper with a plan on it: the paper space of a DXF file, in millimeters.

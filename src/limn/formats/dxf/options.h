@@ -45,6 +45,8 @@ struct DxfOptions {
   // Junctions as points, on a layer "junctions".
   bool junctions = true;
   std::optional<DxfPlan> plan;
+  // Plans: a sheet in the paper space, which LibreCAD shows in the model.
+  bool sheet = true;
   // Of dimensions.
   DimensionText dimension_text;
 };

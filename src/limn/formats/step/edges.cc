@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include <GeomToStep_MakeCartesianPoint.hxx>
 #include <GeomToStep_MakeCurve.hxx>
 #include <Standard_Failure.hxx>
 #include <StepGeom_CartesianPoint.hxx>
@@ -13,6 +12,7 @@
 #include <TCollection_HAsciiString.hxx>
 
 #include "limn/formats/step/curves.h"
+#include "limn/formats/step/versions.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
 
@@ -22,9 +22,11 @@ namespace {
 using opencascade::handle;
 
 handle<StepShape_VertexPoint> MakeVertex(const Eigen::Vector3d& position) {
+  const handle<TCollection_HAsciiString> no_name = new TCollection_HAsciiString("");
+  handle<StepGeom_CartesianPoint> point = new StepGeom_CartesianPoint;
+  point->Init3D(no_name, position.x(), position.y(), position.z());
   handle<StepShape_VertexPoint> vertex = new StepShape_VertexPoint;
-  vertex->Init(new TCollection_HAsciiString(""),
-               GeomToStep_MakeCartesianPoint(ToPnt(position)).Value());
+  vertex->Init(no_name, point);
   return vertex;
 }
 
@@ -34,7 +36,7 @@ handle<StepShape_EdgeCurve> MakeEdge(const DrawingLink& link, const std::string&
   handle<StepShape_EdgeCurve> edge = new StepShape_EdgeCurve;
   if (reversed) std::swap(start, end);
   edge->Init(new TCollection_HAsciiString(name.c_str()), start, end,
-             GeomToStep_MakeCurve(GeomCurveOf(link)).Value(), /*same_sense=*/!reversed);
+             MadeBy<GeomToStep_MakeCurve>(GeomCurveOf(link)).Value(), /*same_sense=*/!reversed);
   return edge;
 }
 

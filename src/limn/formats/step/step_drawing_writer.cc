@@ -8,8 +8,6 @@
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_HArray1OfHAsciiString.hxx>
 #include <STEPConstruct.hxx>
-#include <STEPConstruct_Part.hxx>
-#include <STEPConstruct_UnitContext.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPEdit.hxx>
 #include <Standard_Failure.hxx>
@@ -41,6 +39,7 @@
 #include "limn/formats/step/edges.h"
 #include "limn/formats/step/rods.h"
 #include "limn/formats/step/shells.h"
+#include "limn/formats/step/versions.h"
 #include "limn/model/drawing_paths.h"
 #include "limn/model/drawing_transform.h"
 #include "limn/util/errors.h"
@@ -88,14 +87,12 @@ handle<StepShape_EdgeBasedWireframeModel> MakeWireframe(const std::vector<Drawin
   return wireframe;
 }
 
-// The representation with its units (mm, rad). Distances below `uncertainty_mm` mean nothing.
 handle<StepShape_ShapeRepresentation> MakeRepresentation(
-    const handle<StepShape_EdgeBasedWireframeModel>& wireframe, double uncertainty_mm) {
+    const handle<StepShape_EdgeBasedWireframeModel>& wireframe,
+    const STEPConstruct_UnitContext& units) {
   handle<StepRepr_HArray1OfRepresentationItem> items =
       new StepRepr_HArray1OfRepresentationItem(1, 1);
   items->SetValue(1, wireframe);
-  STEPConstruct_UnitContext units;
-  units.Init(uncertainty_mm);
   handle<StepShape_EdgeBasedWireframeShapeRepresentation> representation =
       new StepShape_EdgeBasedWireframeShapeRepresentation;
   representation->Init(Text("drawing"), items, units.Value());
@@ -115,9 +112,11 @@ class ProductModel {
   }
 
   void Add(const char* name, const handle<StepShape_ShapeRepresentation>& representation) {
-    STEPConstruct_Part part;
-    part.MakeSDR(representation, Text(name), context_);
-    model_->AddWithRefs(part.SDRValue());
+    model_->AddWithRefs(StepPart(representation, Text(name), context_, model_).SDRValue());
+  }
+
+  STEPConstruct_UnitContext Units(double tolerance_mm) const {
+    return StepUnits(std::max(kLeastUncertaintyMm, 2 * tolerance_mm), model_);
   }
 
   const handle<StepData_StepModel>& model() const { return model_; }
@@ -131,14 +130,13 @@ class ProductModel {
 template <typename Representation, typename Shape, typename Make>
 handle<StepShape_ShapeRepresentation> MakeSurfaces(const char* name,
                                                    const std::vector<Shape>& shapes,
-                                                   double uncertainty_mm, const Make& make) {
+                                                   const STEPConstruct_UnitContext& units,
+                                                   const Make& make) {
   handle<StepRepr_HArray1OfRepresentationItem> items =
       new StepRepr_HArray1OfRepresentationItem(1, static_cast<int>(shapes.size()));
   for (size_t i = 0; i < shapes.size(); ++i) {
     items->SetValue(static_cast<int>(i) + 1, make(shapes[i]));
   }
-  STEPConstruct_UnitContext units;
-  units.Init(uncertainty_mm);
   handle<Representation> representation = new Representation;
   representation->Init(Text(name), items, units.Value());
   return representation;
@@ -154,31 +152,30 @@ void AddRods(const DrawingGraph& graph, const StepRods& rods, ProductModel* prod
   if (rods.tubes.empty()) return;
   const handle<Transfer_FinderProcess> made = new Transfer_FinderProcess;
   const auto make = [&](const LabeledShape& tube) {
-    const TopoDSToStep_MakeManifoldSolidBrep solid(TopoDS::Solid(tube.shape), made);
+    const auto solid = MadeBy<TopoDSToStep_MakeManifoldSolidBrep>(TopoDS::Solid(tube.shape), made);
     solid.Value()->SetName(Text(StepNameOf(graph.links[tube.id], NumberOfLink(graph, tube.id))));
     return solid.Value();
   };
-  products->Add("rods",
-                MakeSurfaces<StepShape_AdvancedBrepShapeRepresentation>(
-                    "rods", rods.tubes, std::max(kLeastUncertaintyMm, 2 * rods.tolerance), make));
+  products->Add("rods", MakeSurfaces<StepShape_AdvancedBrepShapeRepresentation>(
+                            "rods", rods.tubes, products->Units(rods.tolerance), make));
 }
 
 void AddShells(const DrawingGraph& graph, const StepShells& shells, ProductModel* products) {
   handle<Transfer_FinderProcess> made = new Transfer_FinderProcess;
-  const double uncertainty = std::max(kLeastUncertaintyMm, 2 * shells.tolerance);
+  const STEPConstruct_UnitContext units = products->Units(shells.tolerance);
   if (!shells.solids.empty()) {
     const auto make = [&](const TopoDS_Shape& solid) {
-      return TopoDSToStep_MakeManifoldSolidBrep(TopoDS::Solid(solid), made).Value();
+      return MadeBy<TopoDSToStep_MakeManifoldSolidBrep>(TopoDS::Solid(solid), made).Value();
     };
     products->Add("solids", MakeSurfaces<StepShape_AdvancedBrepShapeRepresentation>(
-                                "solids", shells.solids, uncertainty, make));
+                                "solids", shells.solids, units, make));
   }
   if (!shells.shells.empty()) {
     const auto make = [&](const TopoDS_Shape& shell) {
-      return TopoDSToStep_MakeShellBasedSurfaceModel(TopoDS::Shell(shell), made).Value();
+      return MadeBy<TopoDSToStep_MakeShellBasedSurfaceModel>(TopoDS::Shell(shell), made).Value();
     };
     products->Add("shells", MakeSurfaces<StepShape_ManifoldSurfaceShapeRepresentation>(
-                                "shells", shells.shells, uncertainty, make));
+                                "shells", shells.shells, units, make));
   }
   for (const LabeledShape& face : shells.faces) {
     Name(made, face.shape, "face_" + std::to_string(face.id));
@@ -244,8 +241,8 @@ StepNotes WriteDrawingStep(const DrawingGraph& graph, const StepOptions& options
   const std::vector<DrawingPath> paths = PathsWithout(shells, rods, in_mm);
   if (!paths.empty()) {
     const StepEdges edges = MakeStepEdges(in_mm, paths);
-    products.Add("drawing", MakeRepresentation(MakeWireframe(paths, edges),
-                                               std::max(kLeastUncertaintyMm, 2 * edges.gap)));
+    products.Add("drawing",
+                 MakeRepresentation(MakeWireframe(paths, edges), products.Units(edges.gap)));
   }
   AddShells(in_mm, shells, &products);
   AddRods(in_mm, rods, &products);

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exported files as FreeCAD, Open3D, MeshLab, CloudCompare and LibreCAD read them. These are not in
+// scripts/setup.sh: a test of one that is not installed is skipped.
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "end_to_end/exported_drawing.h"
+#include "limn/formats/primitive_drawing.h"
+#include "limn/geometry/polyline.h"
+
+namespace limn::testing {
+namespace {
+
+using nlohmann::json;
+
+// Single precision, with which some of the programs read and write.
+constexpr double kRelative = 1e-5;
+
+class DrawingExporterPrograms : public ::testing::Test {
+ protected:
+  // Null if the program is not installed.
+  json ReadBy(const std::string& program, const std::string& name,
+              const std::vector<std::string>& options = {}) {
+    exported_.Export(name, options);
+    const json read = exported_.ReadIn(program, name);
+    return read.contains("missing") ? json() : read;
+  }
+
+  // Polylines of all links, whatever their primitives are.
+  void ExpectAllPolylines(const json& read) {
+    size_t num_segments = 0;
+    double length = 0;
+    Eigen::AlignedBox3d box;
+    for (const DrawingLink& link : graph_.links) {
+      num_segments += link.points_in_world.size() - 1;
+      length += Length(link.points_in_world);
+      for (const Eigen::Vector3d& point : link.points_in_world) box.extend(point);
+    }
+    EXPECT_EQ(read.at("segments"), num_segments);
+    EXPECT_NEAR(read.at("length").get<double>() / length, 1, kRelative);
+    ExpectBounds(read, box);
+  }
+
+  void ExpectBounds(const json& read, const Eigen::AlignedBox3d& box) {
+    const double size = box.diagonal().norm();
+    EXPECT_LT((ToPoint(read.at("low")) - box.min()).norm(), kRelative * size);
+    EXPECT_LT((ToPoint(read.at("high")) - box.max()).norm(), kRelative * size);
+  }
+
+  double LengthOfShapes() const {
+    double length = 0;
+    for (const DrawingLink& link : graph_.links) length += ShapeLength(link);
+    return length;
+  }
+
+  const DrawingGraph graph_ = PrimitiveDrawing();
+  const ExportedDrawing exported_{graph_};
+};
+
+#define LIMN_SKIP_WITHOUT(read, program) \
+  if ((read).is_null()) GTEST_SKIP() << program " is not installed"
+
+#ifdef LIMN_WITH_STEP
+TEST_F(DrawingExporterPrograms, FreeCadReadsStep) {
+  const json read = ReadBy("freecad", "d.step", {"--unit", "mm"});
+  LIMN_SKIP_WITHOUT(read, "FreeCAD");
+  EXPECT_TRUE(read.at("valid"));
+  EXPECT_EQ(read.at("faces"), 0);
+  EXPECT_NEAR(read.at("length").get<double>() / LengthOfShapes(), 1, 1e-6);
+}
+
+TEST_F(DrawingExporterPrograms, FreeCadReadsMillimetersOfKnownUnits) {
+  const json read = ReadBy("freecad", "d.step", {"--unit", "in"});
+  LIMN_SKIP_WITHOUT(read, "FreeCAD");
+  EXPECT_NEAR(read.at("length").get<double>() / LengthOfShapes(), 25.4, 1e-4);
+}
+#endif
+
+TEST_F(DrawingExporterPrograms, Open3dReadsPly) {
+  const json read = ReadBy("open3d", "d.ply");
+  LIMN_SKIP_WITHOUT(read, "Open3D");
+  ExpectAllPolylines(read);
+}
+
+TEST_F(DrawingExporterPrograms, MeshLabReadsPly) {
+  const json read = ReadBy("meshlab", "d.ply");
+  LIMN_SKIP_WITHOUT(read, "MeshLab");
+  ExpectAllPolylines(read);
+}
+
+TEST_F(DrawingExporterPrograms, MeshLabReadsSegmentsOfObj) {
+  const json read = ReadBy("meshlab", "d.obj", {"--segments", "1"});
+  LIMN_SKIP_WITHOUT(read, "MeshLab");
+  ExpectAllPolylines(read);
+}
+
+// It reads neither circles nor splines, and arcs as if their planes were level.
+TEST_F(DrawingExporterPrograms, CloudCompareReadsSegmentsOfDxf) {
+  const json read = ReadBy("cloudcompare", "d.dxf", {"--segments", "1", "--junctions", "0"});
+  LIMN_SKIP_WITHOUT(read, "CloudCompare");
+  ExpectAllPolylines(read);
+}
+
+// The sheet would be many times as large as the plan.
+TEST_F(DrawingExporterPrograms, LibreCadShowsPlansWithoutSheet) {
+  const json read = ReadBy("librecad", "front.dxf", {"--view", "front", "--sheet", "0"});
+  LIMN_SKIP_WITHOUT(read, "LibreCAD");
+  Eigen::AlignedBox3d box;
+  for (const DrawingLink& link : graph_.links) {
+    for (const Eigen::Vector3d& point : link.points_in_world) box.extend(point);
+  }
+  EXPECT_NEAR(read.at("width_by_height").get<double>(), box.sizes().x() / box.sizes().z(), 0.02);
+}
+
+}  // namespace
+}  // namespace limn::testing
