@@ -8,6 +8,7 @@ packages=(
   cmake ninja-build ccache g++ python3 clang-format
   libeigen3-dev libopencv-dev libicu-dev libjpeg-dev libceres-dev libgoogle-glog-dev libflann-dev liblz4-dev libnanoflann-dev libtbb-dev zlib1g-dev libsqlite3-dev
   libboost-program-options-dev libboost-mpi-dev libopenmpi-dev openmpi-bin nlohmann-json3-dev libtinygltf-dev libocct-data-exchange-dev
+  libfontconfig-dev  # which OpenCASCADE of Debian 13 asks for
   libgtest-dev libgmock-dev libbenchmark-dev
   python3-dev pybind11-dev python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-networkx mypy
   colmap

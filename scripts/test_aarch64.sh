@@ -38,6 +38,6 @@ END
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE="$build/toolchain.cmake" \
   -DLIMN_WITH_STEP=OFF -DLIMN_WITH_MPI=OFF -DLIMN_WITH_PYTHON=OFF -DLIMN_WITH_COLMAP=OFF
 names=${*:-.*_test}
-choose_targets "^tests/(limn|colmap_ext)/.*/(${names// /|})\$"
+choose_targets "^tests/(limn|colmap_ext)/(.*/)?(${names// /|})\$"
 build_targets
 run_tests

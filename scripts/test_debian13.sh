@@ -32,7 +32,7 @@ scripts/setup.sh
 build=$2/release targets=$2/targets.txt
 source scripts/other_build.sh
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DLIMN_WITH_VIEWER=OFF
-choose_targets "^tests/(limn|colmap_ext)/.*/(${3// /|})\$"
+choose_targets "^tests/(limn|colmap_ext)/(.*/)?(${3// /|})\$"
 build_targets
 run_tests
 INNER

@@ -272,7 +272,7 @@ TEST(WriteDrawingGlb, FacesAreTrianglesWithNormals) {
   GlbOptions options = LinksAsObjects();
   options.cloud = {{{1, 2, 3}, {255, 0, 188}}};
   const Glb glb = WrittenGlb(graph, options);
-  const Json& primitive = PrimitiveOf(glb, "face_0");
+  const Json primitive = PrimitiveOf(glb, "face_0");
   EXPECT_EQ(primitive["mode"].get<int>(), 4);
   EXPECT_EQ(glb.json["materials"][primitive["material"].get<int>()]["name"], "faces");
   EXPECT_EQ(glb.json["materials"][PrimitiveOf(glb, "link_0")["material"].get<int>()]["name"],
@@ -308,7 +308,7 @@ TEST(WriteDrawingGlb, RodsCanBeTubes) {
   options.rods_as_tubes = true;
   options.cloud = {{{1, 2, 3}, {255, 0, 188}}};
   const Glb glb = WrittenGlb(graph, options);
-  const Json& primitive = PrimitiveOf(glb, "link_0");
+  const Json primitive = PrimitiveOf(glb, "link_0");
   EXPECT_EQ(primitive["mode"], 4);
   EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["rod_radius"], 0.125);
   EXPECT_EQ(glb.json["materials"][primitive["material"].get<int>()]["name"], "rods");

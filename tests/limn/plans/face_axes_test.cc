@@ -23,7 +23,7 @@ TEST(FaceAxes, AreUprightWhereUpIsKnown) {
     EXPECT_LT((axes.row(1).transpose() + Eigen::Vector3d::UnitZ()).norm(), 1e-12);
   }
   // Seen from the front (along y), x is to the right.
-  const DrawingFace& front = testing::UnitCube().faces[2];
+  const DrawingFace front = testing::UnitCube().faces[2];
   ASSERT_LT((front.normal + Eigen::Vector3d::UnitY()).norm(), 1e-12);
   EXPECT_LT(
       (AxesAlong(front, Eigen::Vector3d(0, 0, 1)).row(0).transpose() - Eigen::Vector3d::UnitX())

@@ -119,6 +119,13 @@ class ProductModel {
     return StepUnits(std::max(kLeastUncertaintyMm, 2 * tolerance_mm), model_);
   }
 
+  // That remembers which entities shapes have become.
+  handle<Transfer_FinderProcess> Process() const {
+    handle<Transfer_FinderProcess> process = new Transfer_FinderProcess;
+    process->SetModel(model_);  // OpenCASCADE 7.8 asks it
+    return process;
+  }
+
   const handle<StepData_StepModel>& model() const { return model_; }
 
  private:
@@ -150,7 +157,7 @@ void Name(const handle<Transfer_FinderProcess>& made, const TopoDS_Shape& shape,
 
 void AddRods(const DrawingGraph& graph, const StepRods& rods, ProductModel* products) {
   if (rods.tubes.empty()) return;
-  const handle<Transfer_FinderProcess> made = new Transfer_FinderProcess;
+  const handle<Transfer_FinderProcess> made = products->Process();
   const auto make = [&](const LabeledShape& tube) {
     const auto solid = MadeBy<TopoDSToStep_MakeManifoldSolidBrep>(TopoDS::Solid(tube.shape), made);
     solid.Value()->SetName(Text(StepNameOf(graph.links[tube.id], NumberOfLink(graph, tube.id))));
@@ -161,7 +168,7 @@ void AddRods(const DrawingGraph& graph, const StepRods& rods, ProductModel* prod
 }
 
 void AddShells(const DrawingGraph& graph, const StepShells& shells, ProductModel* products) {
-  handle<Transfer_FinderProcess> made = new Transfer_FinderProcess;
+  const handle<Transfer_FinderProcess> made = products->Process();
   const STEPConstruct_UnitContext units = products->Units(shells.tolerance);
   if (!shells.solids.empty()) {
     const auto make = [&](const TopoDS_Shape& solid) {
