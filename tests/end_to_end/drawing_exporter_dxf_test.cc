@@ -409,6 +409,7 @@ TEST(DrawingExporterDxf, APlanIsOnASheetToScale) {
   const json without = exported.Read("read_dxf.py", "f.dxf");
   ExpectSoundFile(without);
   EXPECT_TRUE(without.at("sheet").is_null());
+  EXPECT_FALSE(without.at("layers").contains("sheet"));
 }
 
 TEST(DrawingExporterDxf, CirclesSeenAtAnAngleAreEllipses) {

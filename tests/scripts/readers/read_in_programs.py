@@ -22,7 +22,7 @@ from pathlib import Path
 
 FREECAD = ["/usr/lib/freecad/lib", "/usr/lib/freecad/Mod"]
 SECONDS = 120
-DARK = 128
+WHITE = 255
 
 
 def of_chains(chains):
@@ -93,9 +93,9 @@ def in_librecad(path, folder):
     width, height = map(int, re.match(rb"P5\s(\d+) (\d+)\s255\s", picture).groups())
     pixels = picture[-width * height:]
     rows = [pixels[y * width:(y + 1) * width] for y in range(height)]
-    inked = [y for y, row in enumerate(rows) if min(row) < DARK]
-    left = min(next(x for x in range(width) if rows[y][x] < DARK) for y in inked)
-    right = max(next(x for x in reversed(range(width)) if rows[y][x] < DARK) for y in inked)
+    inked = [y for y, row in enumerate(rows) if min(row) < WHITE]
+    left = min(next(x for x in range(width) if rows[y][x] < WHITE) for y in inked)
+    right = max(next(x for x in reversed(range(width)) if rows[y][x] < WHITE) for y in inked)
     return {"width_by_height": (right - left) / (inked[-1] - inked[0])}
 
 
