@@ -17,9 +17,9 @@ present() {
 }
 rm -f build/quality{,_quick}/report.json
 scripts/stereo_worth.sh
-scripts/quality_report.sh --data_path "$data" --sets "$(present sample-day pavilion-midday pavilion-mixed room vase)"
+scripts/quality_report.sh --data_path "$data" --sets "$(present sample-day pavilion-midday vase)"
 build/release/tests/bench/quality_report --output_path build/quality_quick --quick 1 --data_path "$data" \
-  --sets "$(present sample-mixed bench abc-00000952 abc-00004926 herz-jesu-p8 desk book)"
+  --sets "$(present pavilion-mixed room sample-mixed bench abc-00000952 abc-00004926 herz-jesu-p8 desk book)"
 scripts/pose_ladder.sh --data_path "$data"
 scripts/measure_street.sh
 scripts/benchmark.sh methods

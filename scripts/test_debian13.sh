@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds all but the page in a root of Debian 13 (GCC 14, Ceres 2.2, OpenCV 4.10, OpenCASCADE 7.8) and runs the unit tests and those of STEP
-# files there: build/debian13. Arguments are names of tests instead. Needs root.
+# Builds the unit tests, hence all but the page, in a root of Debian 13 (GCC 14, Ceres 2.2, OpenCV 4.10, OpenCASCADE 7.8) and runs them there:
+# build/debian13. Arguments are names of tests, by default all. Needs root.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh mmdebstrap
@@ -17,7 +17,7 @@ if [[ ! -d $root ]]; then
   mv "$root.part" "$root"
 fi
 
-# The project at its own place, /proc, and the certificates and packages of this machine's npm; all gone with the command.
+# The project is where it is here; this and /proc are gone with the command.
 unshare --mount bash -s "$root" "$PWD" "$build" "${*:-.*_test}" <<'END'
 set -euo pipefail
 root=$1 project=$2
