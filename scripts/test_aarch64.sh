@@ -19,16 +19,15 @@ if [[ ! -d $root ]]; then
   packages+=,libgtest-dev,libgmock-dev,libbenchmark-dev
   mirror=$(debian_mirror Debian)
   mmdebstrap --quiet --variant=extract --architectures=arm64 --include=$packages bookworm "$root.part" "${mirror:-http://deb.debian.org/debian}"
-  # As Debian's alternatives would.
-  for library in blas lapack; do
-    for name in "lib$library.so" "lib$library.so.3"; do
-      ln -s "$library/lib$library.so.3" "$root.part/usr/lib/aarch64-linux-gnu/$name"
-    done
-  done
-  # Ceres names libraries by their absolute paths.
-  sed -i "s,\([;\"]\)\(/usr/lib/[^;\"]*\.so\),\1$root\2,g" "$root.part/usr/lib/aarch64-linux-gnu/cmake/Ceres/CeresTargets.cmake"
   mv "$root.part" "$root"
 fi
+libraries=$root/usr/lib/aarch64-linux-gnu
+# As Debian's alternatives would.
+for library in blas lapack; do
+  for name in "lib$library.so" "lib$library.so.3"; do ln -sfn "$library/lib$library.so.3" "$libraries/$name"; done
+done
+# Ceres names libraries by their absolute paths.
+sed -i "s,\([;\"]\)\(/usr/lib/[^;\"]*\.so\),\1$root\2,g" "$libraries/cmake/Ceres/CeresTargets.cmake"
 
 cat >"$build/toolchain.cmake" <<END
 set(CMAKE_SYSTEM_NAME Linux)

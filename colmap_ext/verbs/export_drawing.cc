@@ -208,7 +208,9 @@ DrawingGraph InSegments(DrawingGraph graph) {
   for (DrawingLink& link : graph.links) {
     const bool is_curved =
         link.primitive && !std::holds_alternative<LineSegment>(link.primitive->shape);
-    if (is_curved) link.primitive.reset();
+    if (!is_curved) continue;
+    link.primitive.reset();
+    link.regularity.reset();
   }
   return graph;
 }
@@ -283,7 +285,7 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
   DrawingGraph graph =
       Transformed(Selected(std::move(drawing.graph), options.selection.Selection()), scale,
                   rotation, translation);
-  if (options.segments) graph = InSegments(std::move(graph));
+  if (options.segments && FormatName(options) == "dxf") graph = InSegments(std::move(graph));
   DrawingFormatOptions format = options.format;
   if (FormatName(options) == "step") format.write_step = LoadStepWriter();
   format.unit = frame.unit;
@@ -340,7 +342,7 @@ void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
   parser->AddOption("objects", &format->glb.objects,
                     {{"kind", GlbObjects::kKind}, {"link", GlbObjects::kLink}},
                     "GLB: what becomes an object, all links of a kind of edge or each link");
-  parser->AddOption("sheet", &format->dxf.sheet,
+  parser->AddOption("paper_space", &format->dxf.paper_space,
                     "DXF plans: a sheet in the paper space, which LibreCAD shows in the model");
   parser->AddOption(
       "layers", &format->dxf.layers,
@@ -403,8 +405,8 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   selection.AddOptions(parser);
   parser->AddOption("rods_as_tubes", &rods_as_tubes, "GLB and STEP: rods as tubes of their radius");
   parser->AddOption("segments", &segments,
-                    "curves as straight segments, for programs that do not read arcs (DXF for "
-                    "CloudCompare); OBJ: elements of two vertices, for MeshLab");
+                    "DXF: curves as the polylines of their points, for CloudCompare, which reads "
+                    "no others; OBJ: elements of two vertices, for MeshLab");
   AddFormatOptions(&format, parser);
   parser->AddOption("cloud_path", &cloud_path, "GLB: a cloud to go with it, .ply");
   svg.AddOptions(parser);

@@ -26,7 +26,7 @@ struct ExporterOptions {
   SelectionOptions selection;
   // GLB and STEP: rods as tubes of their radius.
   bool rods_as_tubes = false;
-  // Curved primitives as the segments between the points of their links.
+  // DXF: links with curved primitives as the polylines of their points. OBJ: see ObjOptions.
   bool segments = false;
   std::string cloud_path;
   DrawingFormatOptions format;

@@ -119,6 +119,18 @@ TEST(DrawingExporterDxf, EveryLinkIsOneEntityWithItsShape) {
   }
 }
 
+TEST(DrawingExporterDxf, CurvesMayBeThePolylinesOfTheirPoints) {
+  DrawingGraph graph = PrimitiveDrawing();
+  const ExportedDrawing exported(graph);
+  exported.Export("d.dxf", {"--segments", "1"});
+  for (DrawingLink& link : graph.links) {
+    const bool is_line =
+        link.primitive && std::holds_alternative<LineSegment>(link.primitive->shape);
+    if (!is_line) link.primitive.reset();
+  }
+  ExpectSameDrawing(exported.Read("read_dxf.py", "d.dxf"), graph, 60);
+}
+
 TEST(DrawingExporterDxf, ScaledAndTurnedArcsToo) {
   const ExportedDrawing exported(PrimitiveDrawing());
   for (const auto& [name, axis] :
@@ -405,7 +417,7 @@ TEST(DrawingExporterDxf, APlanIsOnASheetToScale) {
   // Larger paper for what A3 does not hold.
   exported.Export("e.dxf", {"--view", "top", "--aligned", "1", "--sheet_scale", "2"});
   EXPECT_GT(exported.Read("read_dxf.py", "e.dxf").at("sheet").at("size")[1], 1000);
-  exported.Export("f.dxf", {"--view", "top", "--aligned", "1", "--sheet", "0"});
+  exported.Export("f.dxf", {"--view", "top", "--aligned", "1", "--paper_space", "0"});
   const json without = exported.Read("read_dxf.py", "f.dxf");
   ExpectSoundFile(without);
   EXPECT_TRUE(without.at("sheet").is_null());

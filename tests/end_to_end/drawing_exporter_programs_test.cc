@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exported files as FreeCAD, Open3D, MeshLab, CloudCompare and LibreCAD read them. These are not in
 // scripts/setup.sh: a test of one that is not installed is skipped.
-#include <cmath>
+#include <string>
+#include <vector>
 
-#include <gmock/gmock.h>
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "end_to_end/exported_drawing.h"
@@ -20,12 +21,10 @@ constexpr double kRelative = 1e-5;
 
 class DrawingExporterPrograms : public ::testing::Test {
  protected:
-  // Null if the program is not installed.
   json ReadBy(const std::string& program, const std::string& name,
               const std::vector<std::string>& options = {}) {
     exported_.Export(name, options);
-    const json read = exported_.ReadIn(program, name);
-    return read.contains("missing") ? json() : read;
+    return exported_.ReadIn(program, name);
   }
 
   // Polylines of all links, whatever their primitives are.
@@ -51,50 +50,52 @@ class DrawingExporterPrograms : public ::testing::Test {
     EXPECT_LT((ToPoint(read.at("high")) - box.max()).norm(), kRelative * size);
   }
 
-  double LengthOfShapes() const {
+  // Edges of the shapes of all links.
+  void ExpectAllShapes(const json& read, double mm_per_unit) {
     double length = 0;
     for (const DrawingLink& link : graph_.links) length += ShapeLength(link);
-    return length;
+    EXPECT_TRUE(read.at("valid"));
+    EXPECT_EQ(read.at("edges"), graph_.links.size());
+    EXPECT_EQ(read.at("faces"), 0);
+    EXPECT_NEAR(read.at("length").get<double>() / length, mm_per_unit, 1e-6 * mm_per_unit);
   }
 
   const DrawingGraph graph_ = PrimitiveDrawing();
   const ExportedDrawing exported_{graph_};
 };
 
-#define LIMN_SKIP_WITHOUT(read, program) \
-  if ((read).is_null()) GTEST_SKIP() << program " is not installed"
+#define LIMN_SKIP_IF_MISSING(read) \
+  if ((read).contains("missing")) GTEST_SKIP() << (read).at("missing") << " is not installed"
 
 #ifdef LIMN_WITH_STEP
 TEST_F(DrawingExporterPrograms, FreeCadReadsStep) {
   const json read = ReadBy("freecad", "d.step", {"--unit", "mm"});
-  LIMN_SKIP_WITHOUT(read, "FreeCAD");
-  EXPECT_TRUE(read.at("valid"));
-  EXPECT_EQ(read.at("faces"), 0);
-  EXPECT_NEAR(read.at("length").get<double>() / LengthOfShapes(), 1, 1e-6);
+  LIMN_SKIP_IF_MISSING(read);
+  ExpectAllShapes(read, 1);
 }
 
-TEST_F(DrawingExporterPrograms, FreeCadReadsMillimetersOfKnownUnits) {
+TEST_F(DrawingExporterPrograms, FreeCadReadsMillimetersOfOtherUnits) {
   const json read = ReadBy("freecad", "d.step", {"--unit", "in"});
-  LIMN_SKIP_WITHOUT(read, "FreeCAD");
-  EXPECT_NEAR(read.at("length").get<double>() / LengthOfShapes(), 25.4, 1e-4);
+  LIMN_SKIP_IF_MISSING(read);
+  ExpectAllShapes(read, 25.4);
 }
 #endif
 
 TEST_F(DrawingExporterPrograms, Open3dReadsPly) {
   const json read = ReadBy("open3d", "d.ply");
-  LIMN_SKIP_WITHOUT(read, "Open3D");
+  LIMN_SKIP_IF_MISSING(read);
   ExpectAllPolylines(read);
 }
 
 TEST_F(DrawingExporterPrograms, MeshLabReadsPly) {
   const json read = ReadBy("meshlab", "d.ply");
-  LIMN_SKIP_WITHOUT(read, "MeshLab");
+  LIMN_SKIP_IF_MISSING(read);
   ExpectAllPolylines(read);
 }
 
 TEST_F(DrawingExporterPrograms, MeshLabReadsSegmentsOfObj) {
   const json read = ReadBy("meshlab", "d.obj", {"--segments", "1"});
-  LIMN_SKIP_WITHOUT(read, "MeshLab");
+  LIMN_SKIP_IF_MISSING(read);
   ExpectAllPolylines(read);
 }
 
@@ -102,16 +103,17 @@ TEST_F(DrawingExporterPrograms, MeshLabReadsSegmentsOfObj) {
 // are the vertices that it writes, in which nothing is closed.
 TEST_F(DrawingExporterPrograms, CloudCompareReadsSegmentsOfDxf) {
   const json read = ReadBy("cloudcompare", "d.dxf", {"--segments", "1", "--junctions", "0"});
-  LIMN_SKIP_WITHOUT(read, "CloudCompare");
+  LIMN_SKIP_IF_MISSING(read);
   ExpectAllPolylines(read, /*closing_segments=*/false);
 }
 
 // The sheet would be many times as large as the plan. Lines are as wide as they would be on the
 // thing itself, hence thin only if that is large.
 TEST_F(DrawingExporterPrograms, LibreCadShowsPlansWithoutSheet) {
-  const json read = ReadBy("librecad", "front.dxf",
-                           {"--view", "front", "--sheet", "0", "--scale", "1000", "--unit", "mm"});
-  LIMN_SKIP_WITHOUT(read, "LibreCAD");
+  const json read =
+      ReadBy("librecad", "front.dxf",
+             {"--view", "front", "--paper_space", "0", "--scale", "1000", "--unit", "mm"});
+  LIMN_SKIP_IF_MISSING(read);
   Eigen::AlignedBox3d box;
   for (const DrawingLink& link : graph_.links) {
     for (const Eigen::Vector3d& point : link.points_in_world) box.extend(point);

@@ -75,15 +75,15 @@ bool LeadsToDevice(const WritableFolder& folder, const std::string& name) {
 
 // Throws IoError unless this is nothing, or a file to replace.
 void CheckReplaced(const OutputPath& path) {
-  constexpr const char* kDevice = "is a device or a pipe, or leads to one, and no file";
-  if (IsAmongDevices(path.named())) FailToWrite(path, kDevice);
   const auto folder = WritableFolder::Find(path.Folder());
-  if (!folder) return;
-  const auto there = folder->StatusOf(path.Name());
-  if (!there) return;
-  if (there->kind == FileKind::kFolder) FailToWrite(path, "is a folder, not a file");
-  if (LeadsToDevice(*folder, path.Name())) FailToWrite(path, kDevice);
-  if (there->kind == FileKind::kLink) RefuseLink(path.string());
+  std::optional<FileStatus> there;
+  if (folder) there = folder->StatusOf(path.Name());
+  const auto is = [&](FileKind kind) { return there.has_value() && there->kind == kind; };
+  if (is(FileKind::kFolder)) FailToWrite(path, "is a folder, not a file");
+  if (IsAmongDevices(path.named()) || (there && LeadsToDevice(*folder, path.Name()))) {
+    FailToWrite(path, "is a device or a pipe, or leads to one, and no file");
+  }
+  if (is(FileKind::kLink)) RefuseLink(path.string());
 }
 
 }  // namespace

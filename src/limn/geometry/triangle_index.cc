@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <boost/geometry.hpp>
+#include <boost/geometry.hpp>  // rtree.hpp of Boost 1.83 needs more than it includes
 #include <boost/geometry/index/rtree.hpp>
 
 #include "limn/geometry/polyline.h"

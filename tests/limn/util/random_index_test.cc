@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limn/util/random_index.h"
 
-#include <algorithm>
 #include <map>
+#include <random>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,6 +31,12 @@ TEST(RandomSample, EveryChoiceIsEquallyLikely) {
   ASSERT_EQ(counts.size(), 10u);
   // Four standard deviations of a binomial distribution with p = 0.1.
   for (const auto& [sample, count] : counts) EXPECT_NEAR(count, kNumSamples / 10, 120);
+}
+
+TEST(RandomSample, IsTheSameOnAllPlatforms) {
+  std::mt19937 random(1);
+  EXPECT_EQ(RandomSample<int>({10, 11, 12, 13, 14, 15, 16, 17}, 3, &random),
+            (std::vector<int>{0, 0, 0}));
 }
 
 TEST(RandomSample, IsAllOfFew) {

@@ -7,66 +7,79 @@
     cloudcompare  .dxf   polylines: the clouds of vertices that it writes are read
     librecad      .dxf   flat: what it prints, fitted to a page; with poppler's pdftoppm
 
-`{"missing": true}` if the program is not installed.
+`{"missing": PROGRAM}` if that, or one that it needs here, is not installed.
 """
 
+import importlib.util
 import json
 import math
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-FREECAD = ["/usr/lib/freecad/lib", "/usr/lib/freecad/Mod"]
+FREECAD_MODULES = ["/usr/lib/freecad/lib", "/usr/lib/freecad/Mod"]  # Debian's
 SECONDS = 120
 WHITE = 255
+
+
+class Missing(Exception):
+    """A program that is not installed."""
+
+
+def require(*programs):
+    for program in programs:
+        if not shutil.which(program):
+            raise Missing(program)
 
 
 def of_chains(chains):
     """Figures of polylines."""
     points = [point for chain in chains for point in chain]
-    return {"chains": len(chains), "segments": sum(len(chain) - 1 for chain in chains),
+    return {"segments": sum(len(chain) - 1 for chain in chains),
             "length": sum(math.dist(a, b) for chain in chains for a, b in zip(chain, chain[1:])),
             "low": [min(axis) for axis in zip(*points)], "high": [max(axis) for axis in zip(*points)]}
 
 
 def run(command, folder, **environment):
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False,
-                          env={**os.environ, "XDG_RUNTIME_DIR": folder, "HOME": folder, **environment})
-    if done.returncode != 0:
-        raise SystemExit(f"{command}: exit code {done.returncode}\n{done.stdout}\n{done.stderr}")
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
+                          env={**os.environ, "XDG_RUNTIME_DIR": folder, "HOME": folder, **environment}) as process:
+        try:
+            output, _ = process.communicate(timeout=SECONDS)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)  # xvfb-run leaves what it has started
+            raise
+    if process.returncode != 0:
+        raise SystemExit(f"{command}: exit code {process.returncode}\n{output}")
 
 
 def in_freecad(path, _folder):
-    sys.path[:0] = FREECAD
-    try:
-        import FreeCAD  # noqa: F401, before Part
-        import Part
-    except ImportError:
-        return None
+    require("freecad")
+    sys.path[:0] = FREECAD_MODULES
+    import FreeCAD  # noqa: F401, before Part
+    import Part
     shape = Part.read(str(path))
     box = shape.BoundBox
-    return {"edges": len(shape.Edges), "faces": len(shape.Faces), "solids": len(shape.Solids), "valid": shape.isValid(),
+    return {"edges": len(shape.Edges), "faces": len(shape.Faces), "valid": shape.isValid(),
             "length": sum(edge.Length for edge in shape.Edges),
             "low": [box.XMin, box.YMin, box.ZMin], "high": [box.XMax, box.YMax, box.ZMax]}
 
 
 def in_open3d(path, _folder):
-    try:
-        import open3d
-    except ImportError:
-        return None
+    if not importlib.util.find_spec("open3d"):
+        raise Missing("open3d")
+    import open3d
     lines = open3d.io.read_line_set(str(path))
     points = [tuple(point) for point in lines.points]
     return of_chains([(points[a], points[b]) for a, b in lines.lines])
 
 
 def in_meshlab(path, folder):
-    if not shutil.which("meshlabserver") or not shutil.which("xvfb-run"):
-        return None
+    require("meshlabserver", "xvfb-run")
     read = Path(folder, "read.obj")
     run(["xvfb-run", "-a", "meshlabserver", "-i", path, "-o", read], folder)
     lines = [line.split() for line in read.read_text(encoding="ascii").splitlines()]
@@ -75,17 +88,16 @@ def in_meshlab(path, folder):
 
 
 def in_cloudcompare(path, folder):
-    if not shutil.which("CloudCompare"):
-        return None
+    require("CloudCompare")
     copy = shutil.copy(path, folder)
-    run(["CloudCompare", "-SILENT", "-O", copy, "-C_EXPORT_FMT", "ASC", "-SAVE_CLOUDS"], folder, QT_QPA_PLATFORM="offscreen")
+    run(["CloudCompare", "-SILENT", "-O", copy, "-C_EXPORT_FMT", "ASC", "-SAVE_CLOUDS"], folder,
+        QT_QPA_PLATFORM="offscreen")
     clouds = [cloud.read_text(encoding="ascii").splitlines() for cloud in sorted(Path(folder).glob("*.asc"))]
     return of_chains([[tuple(map(float, line.split()[:3])) for line in cloud] for cloud in clouds])
 
 
 def in_librecad(path, folder):
-    if not shutil.which("librecad") or not shutil.which("pdftoppm"):
-        return None
+    require("librecad", "pdftoppm")
     copy = Path(shutil.copy(path, folder))
     run(["librecad", "dxf2pdf", "--fit", "--paper", "297x210", copy], folder, QT_QPA_PLATFORM="offscreen")
     run(["pdftoppm", "-gray", "-singlefile", "-scale-to", "2000", copy.with_suffix(".pdf"), "page"], folder)
@@ -103,5 +115,8 @@ READERS = {name[len("in_"):]: value for name, value in list(globals().items()) i
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as temporary:
-        found = READERS[sys.argv[1]](Path(sys.argv[2]).resolve(), temporary)
-    print("\n" + json.dumps(found or {"missing": True}))
+        try:
+            found = READERS[sys.argv[1]](Path(sys.argv[2]).resolve(), temporary)
+        except Missing as missing:
+            found = {"missing": str(missing)}
+    print("\n" + json.dumps(found))

@@ -140,7 +140,7 @@ void WriteDrawingDxf(const DrawingGraph& graph, const DxfOptions& options, Lengt
                  &writer);
   }
   std::optional<DxfLayout> layout;
-  if (options.plan && options.sheet) layout = options.plan->layout;
+  if (options.plan && options.paper_space) layout = options.plan->layout;
   if (layout) PutPaperSpace(*layout, extent, records.paper, &next_handle, &writer);
   writer.EndSection();
   PutDxfObjects(spaces, layout, extent, &next_handle, &writer);

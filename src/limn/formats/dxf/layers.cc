@@ -164,7 +164,7 @@ DxfLayerPlan PlanDxfLayers(const DrawingGraph& graph, const DxfOptions& options)
     plan.of_section_points =
         add_if(!section.points.empty(),
                {"section_points", kForeground, DxfLineType::kContinuous, kSectionWeight});
-    if (options.sheet) plan.layers.push_back({kDxfSheetLayer, kForeground});
+    if (options.paper_space) plan.layers.push_back({kDxfSheetLayer, kForeground});
   }
   return plan;
 }

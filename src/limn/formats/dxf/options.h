@@ -46,7 +46,7 @@ struct DxfOptions {
   bool junctions = true;
   std::optional<DxfPlan> plan;
   // Plans: a sheet in the paper space, which LibreCAD shows in the model.
-  bool sheet = true;
+  bool paper_space = true;
   // Of dimensions.
   DimensionText dimension_text;
 };

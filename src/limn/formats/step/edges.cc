@@ -12,7 +12,7 @@
 #include <TCollection_HAsciiString.hxx>
 
 #include "limn/formats/step/curves.h"
-#include "limn/formats/step/versions.h"
+#include "limn/formats/step/occt_versions.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
 

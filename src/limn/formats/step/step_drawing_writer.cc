@@ -37,9 +37,9 @@
 #include <Transfer_FinderProcess.hxx>
 
 #include "limn/formats/step/edges.h"
+#include "limn/formats/step/occt_versions.h"
 #include "limn/formats/step/rods.h"
 #include "limn/formats/step/shells.h"
-#include "limn/formats/step/versions.h"
 #include "limn/model/drawing_paths.h"
 #include "limn/model/drawing_transform.h"
 #include "limn/util/errors.h"
@@ -169,20 +169,19 @@ void AddRods(const DrawingGraph& graph, const StepRods& rods, ProductModel* prod
 
 void AddShells(const DrawingGraph& graph, const StepShells& shells, ProductModel* products) {
   const handle<Transfer_FinderProcess> made = products->Process();
-  const STEPConstruct_UnitContext units = products->Units(shells.tolerance);
   if (!shells.solids.empty()) {
     const auto make = [&](const TopoDS_Shape& solid) {
       return MadeBy<TopoDSToStep_MakeManifoldSolidBrep>(TopoDS::Solid(solid), made).Value();
     };
     products->Add("solids", MakeSurfaces<StepShape_AdvancedBrepShapeRepresentation>(
-                                "solids", shells.solids, units, make));
+                                "solids", shells.solids, products->Units(shells.tolerance), make));
   }
   if (!shells.shells.empty()) {
     const auto make = [&](const TopoDS_Shape& shell) {
       return MadeBy<TopoDSToStep_MakeShellBasedSurfaceModel>(TopoDS::Shell(shell), made).Value();
     };
     products->Add("shells", MakeSurfaces<StepShape_ManifoldSurfaceShapeRepresentation>(
-                                "shells", shells.shells, units, make));
+                                "shells", shells.shells, products->Units(shells.tolerance), make));
   }
   for (const LabeledShape& face : shells.faces) {
     Name(made, face.shape, "face_" + std::to_string(face.id));

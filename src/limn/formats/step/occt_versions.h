@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What differs between OpenCASCADE 7.6 and 7.8, where factors of units and the model are arguments
-// instead of global state.
+// What differs between OpenCASCADE before 7.8 and since: factors of units and the model are
+// arguments instead of global state.
 
 #include <STEPConstruct_Part.hxx>
 #include <STEPConstruct_UnitContext.hxx>
@@ -39,6 +39,7 @@ inline STEPConstruct_UnitContext StepUnits(
   return units;
 }
 
+// A product of the model that is shaped like the representation.
 inline STEPConstruct_Part StepPart(
     const opencascade::handle<StepShape_ShapeRepresentation>& representation,
     const opencascade::handle<TCollection_HAsciiString>& name,
