@@ -48,15 +48,16 @@ empty_library() {
   printf 'add_library(%s INTERFACE)\nadd_library(%s::%s ALIAS %s)\n' "$1" "$1" "$1" "$1" > "$folder/$1/CMakeLists.txt"
   echo "$folder/$1"
 }
-instead_of_downloads=()
+scene_options=()
 if $scene_only; then
-  instead_of_downloads=(-DFETCHCONTENT_SOURCE_DIR_POSELIB="$(empty_library PoseLib)"
-    -DFETCHCONTENT_SOURCE_DIR_FAISS="$(empty_library faiss)")
+  # The program is an empty file, in which no path can be changed.
+  scene_options=(-DFETCHCONTENT_SOURCE_DIR_POSELIB="$(empty_library PoseLib)"
+    -DFETCHCONTENT_SOURCE_DIR_FAISS="$(empty_library faiss)" -DCMAKE_SKIP_INSTALL_RPATH=ON)
 fi
 
 cmake -S "$folder/source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" \
   -DGUI_ENABLED=OFF -DOPENGL_ENABLED=OFF -DCUDA_ENABLED=OFF -DCGAL_ENABLED=OFF -DONNX_ENABLED=OFF -DDOWNLOAD_ENABLED=OFF \
-  -DTESTS_ENABLED=OFF "${instead_of_downloads[@]}" -DCMAKE_CXX_FLAGS_RELEASE="${OPTIMIZE:--O3} -DNDEBUG"
+  -DTESTS_ENABLED=OFF "${scene_options[@]}" -DCMAKE_CXX_FLAGS_RELEASE="${OPTIMIZE:--O3} -DNDEBUG"
 
 if $scene_only; then
   cmake --build "$build" --parallel "${JOBS:-$(nproc)}" --target colmap_scene

@@ -46,8 +46,8 @@ void ColmapPixel(int model, const T* params, T u, T v, T* x, T* y) {
   }
 }
 
-Eigen::Vector2d RayOf(const Eigen::Vector3d& ray) { return ray.hnormalized(); }
-// From 3.12 on.
+// Of one of COLMAP's versions.
+[[maybe_unused]] Eigen::Vector2d RayOf(const Eigen::Vector3d& ray) { return ray.hnormalized(); }
 [[maybe_unused]] Eigen::Vector2d RayOf(const std::optional<Eigen::Vector2d>& ray) {
   return ray.value_or(Eigen::Vector2d::Constant(std::nan("")));
 }
