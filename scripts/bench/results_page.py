@@ -183,8 +183,8 @@ HEAD = """# Results
 Written by `scripts/reproduce_results.sh` at commit {commit}; do not edit. Precision P is the share of the drawn length that is within tau of the
 truth, recall R the share of the true length within tau of the drawing, F their harmonic mean, in percent, inside the box of the data set; px: pixel
 footprints. *P of samples* is the paper's definition read literally ([precision and recall](../src/limn/algorithm/evaluation.md#precision-and-recall)): copies of right curves do not
-raise it. It depends on the density of points where either side has points instead of curves (PMVS; the truth of the vase). All methods begin with the
-same image curves:
+raise it. It depends on the density of points where either side has points instead of curves (PMVS; the truth of the vase). *CPU s*: of the command,
+which makes sketch and drawing; cameras are taken as they are given. The methods:
 
 """
 
@@ -205,7 +205,7 @@ def photographs(data_sets):
 
 There is no truth: one view in ten is held out. *To edgels*: from the curves that its two neighbors show, projected into it, to its linked edgels; *from
 edgels*: from these, of fragments of 20 px or more, to the projected curves; px, median / 90 %, at most 10 (the share without any nearer, %). All
-methods look for the same edgels; [what is measured](../tests/README.md#the-quality-report).
+methods are measured by the same edgels; [what is measured](../tests/README.md#the-quality-report).
 
 """
     for data_set in data_sets:

@@ -6,7 +6,7 @@
 
 #include "bench/data_sets.h"
 #include "bench/json.h"
-#include "bench/methods.h"
+#include "bench/measures/supported_curve.h"
 #include "bench/scene.h"
 #include "limn/model/curve_set.h"
 #include "limn/model/drawing_graph.h"

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "bench/measure.h"
 #include "bench/methods.h"
@@ -11,6 +13,7 @@
 #include "bench/side_by_side.h"
 #include "bench/stopwatch.h"
 #include "colmap_ext/host/job.h"
+#include "limn/files/atomic_file.h"
 #include "limn/formats/read_curves.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/pictures/picture.h"
@@ -85,9 +88,27 @@ void WriteResults(const ReportOptions& options, const Measured& measured, const 
            DrawSideBySide(graph, ReadCurves(cloud_path).points, view));
 }
 
+// The arguments of automatic_drawer for a data set.
+std::vector<std::string> SceneArguments(const DataSet& set, const ReportOptions& options) {
+  return {"--workspace_path", set.workspace_path,
+          "--output_path",    options.output_path + "/" + set.name,
+          "--max_image_size", std::to_string(options.max_image_size)};
+}
+
+// For the photographs that are not held out.
+std::vector<std::string> TrainingArguments(const Measured& measured, const ReportOptions& options) {
+  const std::string list = ResultPath(options, measured.set, "training-images.txt");
+  WriteFileAtomically(list, [&](std::ostream& out) {
+    for (const View& view : measured.training.views) out << view.name << '\n';
+  });
+  std::vector<std::string> arguments = SceneArguments(measured.set, options);
+  arguments.insert(arguments.end(), {"--image_list_path", list});
+  return arguments;
+}
+
 void MeasureDefaults(const ReportOptions& options, const Measured& measured, Workbench* workbench,
                      Console* console, const std::function<void(Json)>& add_run) {
-  Workbench training_bench(measured.training, console->context());
+  Workbench training_bench(TrainingArguments(measured, options), console);
   for (const Method& method : Methods()) {
     const Reconstruction result = workbench->Run(method, std::nullopt);
     Json run = MeasureRun(measured, method, nullptr, result, console);
@@ -163,7 +184,7 @@ void MeasureSet(const DataSet& set, const ReportOptions& options, Console* conso
     json["runs"].push_back(std::move(run));
     on_run(json);
   };
-  Workbench workbench(measured.scene, console->context());
+  Workbench workbench(SceneArguments(set, options), console);
   MeasureDefaults(options, measured, &workbench, console, add_run);
   // Without truth there is nothing to plot.
   if (!options.quick && measured.truth.IsKnown()) {

@@ -3,16 +3,15 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/measures/supported_curve.h"
-#include "bench/scene.h"
 #include "bench/stopwatch.h"
+#include "colmap_ext/host/console.h"
+#include "limn/model/curve3d.h"
 #include "limn/model/curve_set.h"
 #include "limn/model/drawing_graph.h"
-#include "limn/pipeline/pipeline_options.h"
-#include "limn/sketch/sketch.h"
-#include "limn/util/parallel.h"
 
 namespace limn::bench {
 
@@ -23,14 +22,14 @@ struct Reconstruction {
   std::optional<DrawingGraph> graph;  // of a drawing, rods by their outlines
   // The same drawing with rods by their center lines.
   std::optional<DrawingGraph> with_rods;
-  Times times;  // from image curves on
+  Times times;  // of the command that makes both sketch and drawing
 };
 
-// A way from image curves to 3D curves, and the threshold that is swept for its curve of precision
+// A way from photographs to 3D curves, and the threshold that is swept for its curve of precision
 // and recall.
 struct Method {
   std::string name;
-  // As automatic_drawer takes them.
+  // Of automatic_drawer.
   std::vector<std::string> arguments;
   // Whether the sketch or the drawing is the result.
   bool draws = false;
@@ -43,27 +42,27 @@ struct Method {
 // One line per method.
 const std::vector<Method>& Methods();
 
-// The options of a method, with its threshold unless absent. Throws OptionError for a method with
-// options of edges or linking, since all methods begin with the same image curves.
-PipelineOptions OptionsOf(const Method& method, std::optional<int> threshold);
-
-// Runs methods on one scene; keeps the last sketch, since several methods begin with the same one.
+// Does what automatic_drawer does but write its results, whatever earlier runs have left. Keeps the
+// last run, since a sketch and a drawing may be of the same.
 class Workbench {
  public:
-  // Both must outlive it.
-  Workbench(const Scene& scene, const RunContext& context) : scene_(scene), context_(context) {}
+  // `arguments`: of automatic_drawer, which photographs of which project are drawn.
+  Workbench(std::vector<std::string> arguments, colmap_ext::Console* console)
+      : scene_arguments_(std::move(arguments)), console_(console) {}
 
-  // The times include those of the sketch, whether it was made now or before.
+  // Throws what automatic_drawer throws.
   Reconstruction Run(const Method& method, std::optional<int> threshold);
 
  private:
-  void MakeSketch(const PipelineOptions& options);
+  void Draw(const std::vector<std::string>& arguments);
 
-  const Scene& scene_;
-  const RunContext& context_;
-  std::string options_text_;  // of the last sketch
+  std::vector<std::string> scene_arguments_;
+  colmap_ext::Console* console_;
+  // The last run.
+  std::vector<std::string> arguments_;
   CurveSketch sketch_;
-  Times sketch_times_;
+  DrawingGraph drawing_;
+  Times times_;
 };
 
 }  // namespace limn::bench
