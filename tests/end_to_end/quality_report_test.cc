@@ -72,6 +72,31 @@ void ExpectPageOfResults(const std::filesystem::path& folder) {
   EXPECT_TRUE(std::filesystem::exists(folder / "results/precision-recall-sample.png"));
 }
 
+// What a user would do by hand for the figures of the default drawing.
+void ExpectFiguresOfCommands(const nlohmann::json& rows) {
+  const TempDir dir;
+  const std::string sample = LIMN_SAMPLE_DIR;
+  const std::string report = (dir / "report.json").string();
+  LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", sample + "/day", "--output_path",
+                         (dir / "out").string(), "--max_image_size", "160", "--refine_cameras", "0",
+                         "--page", "0"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  run = RunLimn({"drawing_evaluator", "--workspace_path", sample + "/day", "--input_path",
+                 (dir / "out/drawing.json").string(), "--truth_path",
+                 sample + "/truth/curves-visible.ply", "--dont_care_path",
+                 sample + "/truth/dont-care.ply", "--box=-1.25,1.25,-0.95,0.95,0.04,1.05", "--unit",
+                 "footprint", "--taus", "4,8,16" /* of the images at their own size */,
+                 "--output_json", report});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json by_hand = ReadJson(report).at("rows");
+  for (size_t i = 0; i < 3; ++i) {
+    // The report samples curves by pixels of the small images.
+    for (const char* share : {"precision", "recall"}) {
+      EXPECT_NEAR(rows.at(i).at(share), by_hand.at(i).at(share), 0.002) << share;
+    }
+  }
+}
+
 TEST(QualityReport, MeasuresEveryMethod) {
   const TempDir dir;
   const LimnRun run =
@@ -100,6 +125,9 @@ TEST(QualityReport, MeasuresEveryMethod) {
     EXPECT_GT(method.at("held_out").at("to_edgels").at("count"), 100) << method.at("method");
     EXPECT_LT(method.at("held_out").at("to_edgels").at("median_px"), 2.0) << method.at("method");
   }
+  const nlohmann::json& last = sets[0].at("runs").back();
+  ASSERT_EQ(last.at("method"), "default drawing");
+  ExpectFiguresOfCommands(last.at("truth").at("all").at("rows"));
   EXPECT_TRUE(std::filesystem::exists(dir / "sample-day" / "default-drawing.json"));
   EXPECT_THAT(ReadText(dir / "report.md"), HasSubstr("Circles and crossings of the truth"));
   ExpectPageOfResults(dir.path());
