@@ -440,6 +440,9 @@ void ExporterOptions::Check() const {
   if (rods_as_tubes && name != "glb" && name != "step") {
     throw OptionError("rods_as_tubes: only in .glb and .step files");
   }
+  if (segments && name != "dxf" && name != "obj") {
+    throw OptionError("segments: only in .dxf and .obj files");
+  }
   if (IsPlan(*this) && !svg.IsSheet()) {
     throw OptionError("view = " + svg.view + ": must be one of " + kSheetViews +
                       "; only SVG pictures show images");

@@ -148,7 +148,7 @@ def data_set_table(data_set):
                      str(shape["num_links"] or shape["num_points"]),
                      f"{run['cpu_seconds']:.1f}" if "cpu_seconds" in run else "-"])
     ceiling = data_set["ceiling"][box_of(data_set)]
-    rows.append(["*what the image curves can give*", *(f"- / {percent(recall)} / -" for recall in ceiling),
+    rows.append(["*what image curves of the photographs at their own size show*", *(f"- / {percent(recall)} / -" for recall in ceiling),
                  *["-"] * 5])
     return table(heads, rows)
 
@@ -183,8 +183,8 @@ HEAD = """# Results
 Written by `scripts/reproduce_results.sh` at commit {commit}; do not edit. Precision P is the share of the drawn length that is within tau of the
 truth, recall R the share of the true length within tau of the drawing, F their harmonic mean, in percent, inside the box of the data set; px: pixel
 footprints. *P of samples* is the paper's definition read literally ([precision and recall](../src/limn/algorithm/evaluation.md#precision-and-recall)): copies of right curves do not
-raise it. It depends on the density of points where either side has points instead of curves (PMVS; the truth of the vase). *CPU s*: of the command,
-which makes sketch and drawing; cameras are taken as they are given. The methods:
+raise it. It depends on the density of points where either side has points instead of curves (PMVS; the truth of the vase). *CPU s*: of the command
+without writing its results, which makes sketch and drawing; cameras are taken as they are given. The methods:
 
 """
 

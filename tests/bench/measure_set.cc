@@ -33,17 +33,24 @@ struct Measured {
   double seconds = 0;  // of the image curves
 };
 
+// The arguments of automatic_drawer for a data set.
+std::vector<std::string> SceneArguments(const DataSet& set, const ReportOptions& options) {
+  std::vector<std::string> arguments = {"--workspace_path", set.workspace_path, "--output_path",
+                                        options.output_path + "/" + set.name};
+  if (options.max_image_size != 0) {
+    arguments.push_back("--max_image_size=" + std::to_string(options.max_image_size));
+  }
+  return arguments;
+}
+
 Measured Load(const DataSet& set, const ReportOptions& options, Console* console) {
-  colmap_ext::RunOptions run;
-  run.layout.workspace_path = set.workspace_path;
-  run.layout.output_path = options.output_path + "/" + set.name;
-  run.view.max_image_size = options.max_image_size;
-  const colmap_ext::Project project(run, console);
+  const colmap_ext::DrawerOptions drawer = DrawerOptionsOf(SceneArguments(set, options));
+  const colmap_ext::Project project(drawer.run, console);
   Measured measured{set, ReadTruth(set), {}, {}, {}, 0};
   const Stopwatch stopwatch;
-  CurvesResult curves = ExtractImageCurves(JobOf(project, run, console));
+  CurvesResult curves = ExtractImageCurves(JobOf(project, drawer.run, console));
   measured.seconds = stopwatch.Elapsed().seconds;
-  measured.scene = {project.views(), std::move(curves.curves), project.view_set().hints};
+  measured.scene = {project.views(), std::move(curves.curves), {}};
   measured.training = PartOf(measured.scene, false);
   measured.held_out = PartOf(measured.scene, true);
   return measured;
@@ -88,13 +95,6 @@ void WriteResults(const ReportOptions& options, const Measured& measured, const 
            DrawSideBySide(graph, ReadCurves(cloud_path).points, view));
 }
 
-// The arguments of automatic_drawer for a data set.
-std::vector<std::string> SceneArguments(const DataSet& set, const ReportOptions& options) {
-  return {"--workspace_path", set.workspace_path,
-          "--output_path",    options.output_path + "/" + set.name,
-          "--max_image_size", std::to_string(options.max_image_size)};
-}
-
 // For the photographs that are not held out.
 std::vector<std::string> TrainingArguments(const Measured& measured, const ReportOptions& options) {
   const std::string list = ResultPath(options, measured.set, "training-images.txt");
@@ -108,7 +108,7 @@ std::vector<std::string> TrainingArguments(const Measured& measured, const Repor
 
 void MeasureDefaults(const ReportOptions& options, const Measured& measured, Workbench* workbench,
                      Console* console, const std::function<void(Json)>& add_run) {
-  Workbench training_bench(TrainingArguments(measured, options), console);
+  Workbench training_bench(TrainingArguments(measured, options), measured.training.views, console);
   for (const Method& method : Methods()) {
     const Reconstruction result = workbench->Run(method, std::nullopt);
     Json run = MeasureRun(measured, method, nullptr, result, console);
@@ -127,7 +127,7 @@ void MeasureDefaults(const ReportOptions& options, const Measured& measured, Wor
   }
 }
 
-// All methods at their first threshold, then at their second, ...: those that share a sketch follow
+// All methods at their first threshold, then at their second, ...: those that share a run follow
 // each other.
 void MeasureSweep(const Measured& measured, Workbench* workbench, Console* console,
                   const std::function<void(Json)>& add_run) {
@@ -184,7 +184,7 @@ void MeasureSet(const DataSet& set, const ReportOptions& options, Console* conso
     json["runs"].push_back(std::move(run));
     on_run(json);
   };
-  Workbench workbench(SceneArguments(set, options), console);
+  Workbench workbench(SceneArguments(set, options), measured.scene.views, console);
   MeasureDefaults(options, measured, &workbench, console, add_run);
   // Without truth there is nothing to plot.
   if (!options.quick && measured.truth.IsKnown()) {

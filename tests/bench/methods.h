@@ -9,9 +9,11 @@
 #include "bench/measures/supported_curve.h"
 #include "bench/stopwatch.h"
 #include "colmap_ext/host/console.h"
+#include "colmap_ext/verbs/draw_options.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/curve_set.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
 
 namespace limn::bench {
 
@@ -42,21 +44,28 @@ struct Method {
 // One line per method.
 const std::vector<Method>& Methods();
 
+// The options of a command line of automatic_drawer, without its name. Throws OptionError.
+colmap_ext::DrawerOptions DrawerOptionsOf(const std::vector<std::string>& arguments);
+
 // Does what automatic_drawer does but write its results, whatever earlier runs have left. Keeps the
 // last run, since a sketch and a drawing may be of the same.
 class Workbench {
  public:
-  // `arguments`: of automatic_drawer, which photographs of which project are drawn.
-  Workbench(std::vector<std::string> arguments, colmap_ext::Console* console)
-      : scene_arguments_(std::move(arguments)), console_(console) {}
+  // `arguments`: of automatic_drawer, which photographs of which project are drawn: those of
+  // `views`, which must outlive it.
+  Workbench(std::vector<std::string> arguments, const std::vector<View>& views,
+            colmap_ext::Console* console)
+      : scene_arguments_(std::move(arguments)), views_(views), console_(console) {}
 
-  // Throws what automatic_drawer throws.
+  // Throws what automatic_drawer throws, and InputError if other photographs are drawn, in tiles or
+  // with cameras that are not those of the model.
   Reconstruction Run(const Method& method, std::optional<int> threshold);
 
  private:
   void Draw(const std::vector<std::string>& arguments);
 
   std::vector<std::string> scene_arguments_;
+  const std::vector<View>& views_;
   colmap_ext::Console* console_;
   // The last run.
   std::vector<std::string> arguments_;

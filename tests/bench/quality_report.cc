@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures what the stages make of all known data sets (data_sets.h): each method of methods.h with
-// its default options and with its support threshold swept, against the truth and in held-out
-// views. Writes report.json, report.md, and per data set the drawings and, where there is a cloud
-// of PMVS, a picture of both. scripts/plot_quality.py draws the curves of precision and recall.
+// Measures what automatic_drawer makes of all known data sets (data_sets.h): each method of
+// methods.h with its default options and with its support threshold swept, against the truth and in
+// held-out views. Writes report.json, report.md, and per data set the drawings and, where there is
+// a cloud of PMVS, a picture of both. scripts/plot_quality.py draws the curves of precision and
+// recall.
 #include <string>
 
 #include "bench/bench_main.h"
@@ -31,7 +32,7 @@ void AddOptions(Options* options, OptionParser* parser) {
   parser->AddOption("sets", &options->sets, "data sets with commas between; empty = all present");
   parser->AddOption("quick", &options->report.quick, "default options only, no sweep");
   parser->AddOption("max_image_size", &options->report.max_image_size,
-                    "shrink images to this longer side, px, -1 = off");
+                    "shrink images to this longer side, px, -1 = off, 0 = as by default");
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
 }
 

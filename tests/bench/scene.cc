@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/scene.h"
 
-#include <utility>
-
-#include "limn/model/scene_subset.h"
-
 namespace limn::bench {
 namespace {
 
@@ -16,16 +12,12 @@ constexpr ViewId kFirstHeldOut = 5;
 bool IsHeldOut(ViewId view) { return view % kHeldOutPeriod == kFirstHeldOut; }
 
 Scene PartOf(const Scene& scene, bool held_out) {
-  std::vector<ViewId> ids;
   Scene part;
   for (ViewId v = 0; v < static_cast<ViewId>(scene.views.size()); ++v) {
     if (IsHeldOut(v) != held_out) continue;
-    ids.push_back(v);
+    part.views.push_back(scene.views[v]);
     part.curves.push_back(scene.curves[v]);
   }
-  SceneSubset subset = SubsetOf(scene.views, scene.hints, ids);
-  part.views = std::move(subset.views);
-  part.hints = std::move(subset.hints);
   return part;
 }
 

@@ -19,7 +19,7 @@ struct Scene {
 // One view in ten is held out, from the sixth on: neither the first nor the last of a path.
 bool IsHeldOut(ViewId view);
 
-// The views whose IsHeldOut is `held_out`, renumbered; the hints name only these.
+// The views whose IsHeldOut is `held_out`, renumbered, without hints.
 Scene PartOf(const Scene& scene, bool held_out);
 
 }  // namespace limn::bench

@@ -195,6 +195,11 @@ TEST(DrawingExporter, RodsByCenterLinesOutlinesOrTubes) {
     EXPECT_EQ(refused.exit_code, 1);
     EXPECT_EQ(refused.err, "ERROR: rods_as_tubes: only in .glb and .step files\n");
   }
+  for (const char* name : {"a.ply", "a.json", "a.glb"}) {
+    const LimnRun refused = exported.TryExport(name, {"--segments", "1"});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_EQ(refused.err, "ERROR: segments: only in .dxf and .obj files\n");
+  }
 }
 
 // STEP by the command; what is in the file is tested in limn/formats.
