@@ -44,7 +44,8 @@ std::vector<std::string> SceneArguments(const DataSet& set, const ReportOptions&
 }
 
 Measured Load(const DataSet& set, const ReportOptions& options, Console* console) {
-  const colmap_ext::DrawerOptions drawer = DrawerOptionsOf(SceneArguments(set, options));
+  colmap_ext::DrawerOptions drawer = DrawerOptionsOf(SceneArguments(set, options));
+  drawer.run.view.max_scale = 1;  // distances are in pixels of the images
   const colmap_ext::Project project(drawer.run, console);
   Measured measured{set, ReadTruth(set), {}, {}, {}, 0};
   const Stopwatch stopwatch;
