@@ -21,6 +21,8 @@ if [[ ! -d $root ]]; then
   mmdebstrap --quiet --variant=extract --architectures=arm64 --include=$packages bookworm "$root.part" "${mirror:-http://deb.debian.org/debian}"
   mv "$root.part" "$root"
 fi
+# qemu looks paths up in the root first: what tests write must not be there.
+rm -rf "$root/tmp"
 libraries=$root/usr/lib/aarch64-linux-gnu
 # As Debian's alternatives would.
 for library in blas lapack; do
