@@ -124,8 +124,8 @@ def draw_group(data_sets, rows, path, dpi=100):
                   fontsize=LEGEND_POINTS)
     is_swept = any(run["threshold"] is not None for data_set in data_sets for run in data_set["runs"])
     of_lines = "Lines: support threshold swept; " if is_swept else ""
-    figure.suptitle(f"{of_lines}big marks: default options; crosses: other programs; gray: what image curves at their own size show",
-                    y=1 - 0.3 * TITLE_INCHES / height)
+    figure.suptitle(f"{of_lines}big marks: default options; crosses: other programs; "
+                    "gray: what image curves of the photographs at their own size show", y=1 - 0.3 * TITLE_INCHES / height)
     figure.tight_layout(rect=(0, legend_inches / height, 1, 1 - TITLE_INCHES / height))
     figure.savefig(path, dpi=dpi)
     plt.close(figure)

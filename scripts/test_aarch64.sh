@@ -11,16 +11,10 @@ build=$PWD/build/aarch64 targets=$PWD/build/aarch64/targets.txt
 root=$build/root
 
 # The packages of scripts/setup.sh that are compiled against, for the other machine.
-if [[ ! -d $root ]]; then
-  mkdir -p "$build"
-  rm -rf "$root.part"
-  packages=libc6-dev,libstdc++-12-dev,libeigen3-dev,libopencv-dev,libicu-dev,libjpeg-dev,libceres-dev,libgoogle-glog-dev,libflann-dev,liblz4-dev
-  packages+=,libnanoflann-dev,libtbb-dev,zlib1g-dev,libsqlite3-dev,libboost-program-options-dev,nlohmann-json3-dev,libtinygltf-dev
-  packages+=,libgtest-dev,libgmock-dev,libbenchmark-dev
-  mirror=$(debian_mirror Debian)
-  mmdebstrap --quiet --variant=extract --architectures=arm64 --include=$packages bookworm "$root.part" "${mirror:-http://deb.debian.org/debian}"
-  mv "$root.part" "$root"
-fi
+packages=libc6-dev,libstdc++-12-dev,libeigen3-dev,libopencv-dev,libicu-dev,libjpeg-dev,libceres-dev,libgoogle-glog-dev,libflann-dev,liblz4-dev
+packages+=,libnanoflann-dev,libtbb-dev,zlib1g-dev,libsqlite3-dev,libboost-program-options-dev,nlohmann-json3-dev,libtinygltf-dev
+packages+=,libgtest-dev,libgmock-dev,libbenchmark-dev
+lasting_root "$root" bookworm --variant=extract --architectures=arm64 --include=$packages
 # qemu looks paths up in the root first: what tests write must not be there.
 rm -rf "$root/tmp"
 libraries=$root/usr/lib/aarch64-linux-gnu

@@ -20,15 +20,9 @@ if [[ ${1:-} == --inside ]]; then
   exit
 fi
 
-if [[ ! -d $root ]]; then
-  scripts/setup.sh mmdebstrap
-  source scripts/packaging/own_apt.sh
-  mkdir -p "$folder"
-  rm -rf "$root.part"
-  mirror=$(debian_mirror Debian)
-  mmdebstrap --quiet --variant=apt trixie "$root.part" "${mirror:-http://deb.debian.org/debian}"
-  mv "$root.part" "$root"
-fi
+scripts/setup.sh mmdebstrap
+source scripts/packaging/own_apt.sh
+lasting_root "$root" trixie --variant=apt
 mkdir -p "$root$PWD"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 # The project is where it is here; this and /proc are gone with the command.

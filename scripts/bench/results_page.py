@@ -148,8 +148,8 @@ def data_set_table(data_set):
                      str(shape["num_links"] or shape["num_points"]),
                      f"{run['cpu_seconds']:.1f}" if "cpu_seconds" in run else "-"])
     ceiling = data_set["ceiling"][box_of(data_set)]
-    rows.append(["*what image curves of the photographs at their own size show*", *(f"- / {percent(recall)} / -" for recall in ceiling),
-                 *["-"] * 5])
+    rows.append(["*what image curves of the photographs at their own size show*",
+                 *(f"- / {percent(recall)} / -" for recall in ceiling), *["-"] * 5])
     return table(heads, rows)
 
 

@@ -104,8 +104,8 @@ set(private_headers
   paper/pictures page  # folders without any
   limn/evaluation/feature_writers.h limn/evaluation/hss_writers.h limn/files/json_text.h limn/files/json_value.h limn/formats/json_faces.h
   limn/formats/json_place.h limn/formats/json_views.h limn/geometry/kd_tree_of*.h limn/formats/step/border*.h limn/formats/step/curves.h
-  limn/formats/step/edges.h limn/formats/step/faces.h limn/formats/step/occt_versions.h limn/formats/step/rods.h limn/formats/step/sheets.h limn/formats/step/shells.h
-  limn/formats/step/surfaces.h limn/primitives/shape_solver.h
+  limn/formats/step/edges.h limn/formats/step/faces.h limn/formats/step/occt_versions.h limn/formats/step/rods.h limn/formats/step/sheets.h
+  limn/formats/step/shells.h limn/formats/step/surfaces.h limn/primitives/shape_solver.h
   limn/refinement/curve_fit.h limn/refinement/pose_fit.h limn/refinement/pull_cost.h limn/refinement/variance_factors.h
   limn/viewer/payload_arrays.h workspace/shrink_image.h)
 set(exclude_private "")

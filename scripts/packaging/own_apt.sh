@@ -7,6 +7,17 @@ debian_mirror() {
   apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' "Label: $1" | sed -n 1p
 }
 
+# lasting_root <folder> <release> <options of mmdebstrap ...>: a Debian root in the folder, unless it is there.
+lasting_root() {
+  local mirror
+  [[ ! -d $1 ]] || return 0
+  mirror=$(debian_mirror Debian)
+  mkdir -p "$(dirname "$1")"
+  rm -rf "$1.part"
+  mmdebstrap --quiet "${@:3}" "$2" "$1.part" "${mirror:-http://deb.debian.org/debian}"
+  mv "$1.part" "$1"
+}
+
 # own_apt <folder> <deb or deb-src> <releases>: from here on `apt_get ...` is apt-get with these lists.
 own_apt() {
   own_apt_folder=$1

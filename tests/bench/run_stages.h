@@ -15,10 +15,10 @@ namespace limn::bench {
 // Hears what a stage cost and what it made.
 using StageListener = std::function<void(const StageCost& cost, const CurveSet& made)>;
 
-// The stages after the image curves, of images at their own size, as DrawScene runs them where it
-// draws these; each is measured on its own; what the
-// listener does is not measured. Results of earlier stages stay in memory, as they do in DrawScene.
-// Kinds are found only with photographs: `read_image` may be empty.
+// The stages after the image curves, each measured on its own; what the listener does is not
+// measured. They run in the order of DrawScene, for images at their own size, and results of
+// earlier stages stay in memory, as they do there. Kinds are found only with photographs:
+// `read_image` may be empty.
 void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_image,
                const PipelineOptions& options, const RunContext& context,
                const StageListener& on_stage_end);

@@ -46,8 +46,9 @@ def of_chains(chains):
 
 
 def run(command, folder, **environment):
-    with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
-                          env={**os.environ, "XDG_RUNTIME_DIR": folder, "HOME": folder, **environment}) as process:
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          env={**os.environ, "XDG_RUNTIME_DIR": folder, "HOME": folder, **environment},
+                          start_new_session=True) as process:
         try:
             output, _ = process.communicate(timeout=SECONDS)
         except subprocess.TimeoutExpired:
@@ -63,10 +64,8 @@ def in_freecad(path, _folder):
     import FreeCAD  # noqa: F401, before Part
     import Part
     shape = Part.read(str(path))
-    box = shape.BoundBox
     return {"edges": len(shape.Edges), "faces": len(shape.Faces), "valid": shape.isValid(),
-            "length": sum(edge.Length for edge in shape.Edges),
-            "low": [box.XMin, box.YMin, box.ZMin], "high": [box.XMax, box.YMax, box.ZMax]}
+            "length": sum(edge.Length for edge in shape.Edges)}
 
 
 def in_open3d(path, _folder):
@@ -111,7 +110,8 @@ def in_librecad(path, folder):
     return {"width_by_height": (right - left) / (inked[-1] - inked[0])}
 
 
-READERS = {name[len("in_"):]: value for name, value in list(globals().items()) if name.startswith("in_")}
+READERS = {"freecad": in_freecad, "open3d": in_open3d, "meshlab": in_meshlab, "cloudcompare": in_cloudcompare,
+           "librecad": in_librecad}
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as temporary:
