@@ -123,8 +123,8 @@ def draw_group(data_sets, rows, path, dpi=100):
     figure.legend(handles, labels, loc="lower center", ncol=legend_columns, frameon=False,
                   fontsize=LEGEND_POINTS)
     is_swept = any(run["threshold"] is not None for data_set in data_sets for run in data_set["runs"])
-    of_lines = "Lines: support threshold swept; " if is_swept else ""
-    figure.suptitle(f"{of_lines}big marks: default options; crosses: other programs; "
+    of_lines = "lines: support threshold swept; " if is_swept else ""
+    figure.suptitle(f"Big marks: default options; {of_lines}crosses: other programs;\n"
                     "gray: what image curves of the photographs at their own size show", y=1 - 0.3 * TITLE_INCHES / height)
     figure.tight_layout(rect=(0, legend_inches / height, 1, 1 - TITLE_INCHES / height))
     figure.savefig(path, dpi=dpi)
