@@ -22,8 +22,10 @@ build/release/tests/bench/quality_report --output_path build/quality_quick --qui
   --sets "$(present pavilion-mixed room sample-mixed bench abc-00000952 abc-00004926 herz-jesu-p8 desk book)"
 scripts/pose_ladder.sh --data_path "$data"
 scripts/measure_street.sh
+/usr/bin/python3 scripts/bench/false_confidence.py --limn build/release/limn --data_path "$data" --output_path build/false_confidence
+scripts/measure_costs.sh --data_path "$data" --sets "$(present sample-day room pavilion-midday vase bench herz-jesu-p8)"
 scripts/benchmark.sh methods
 /usr/bin/python3 scripts/bench/results_page.py --commit "$(git describe --always --dirty)" --report build/quality/report.json \
   --report build/quality_quick/report.json --section build/ladder/ladder.md --section build/stereo_worth/section.md \
-  --section build/street/section.md --section build/benchmark/section.md datasets
+  --section build/false_confidence/section.md --section build/costs/section.md --section build/street/section.md --section build/benchmark/section.md datasets
 echo "Look at: datasets/RESULTS.md"

@@ -50,12 +50,12 @@ RUNGS = {
     "scale-0.5": Rung(scale=0.5),
     "scale-2": Rung(scale=2),
 }
-# Name: options of automatic_drawer, file that is scored.
+# Name: options of automatic_drawer, file that is scored. The paper takes cameras as they are.
 METHODS = {
     "default drawing": ((), "drawing.json"),
     "paper drawing": (("--project_path", ROOT / "scripts/paper.ini"), "drawing.json"),
     "enhanced sketch of the paper": (("--project_path", ROOT / "scripts/paper.ini"), "curves/enhanced-sketch.ply"),
-    "original sketch of the paper": (("--mode", "original"), "curves/sketch.ply"),
+    "original sketch of the paper": (("--mode", "original", "--refine_cameras", 0), "curves/sketch.ply"),
 }
 
 

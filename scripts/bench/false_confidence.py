@@ -8,7 +8,8 @@ Scenes come from the sample scene, from the data sets that DATA has (folders as 
 pictures of flat and repetitive things that this script renders. A run warns if it prints a WARNING or the verdict "nonsense".
 "Misplaced" is the mean error of the places of cameras that were moved, over their distance from the middle, as given and, if the
 run refined them, as refined. Cameras are mended if that is at most twice what right cameras of the same scene end at when they are
-refined (--refine_cameras 1). FOLDER/<scene>/ keeps the workspace, the log and the drawing; FOLDER/false_confidence.md has the table.
+refined (--refine_cameras 1). FOLDER/<scene>/ keeps the workspace, the log and the drawing; FOLDER/false_confidence.md has the table,
+FOLDER/section.md its counts, as a section of datasets/RESULTS.md.
 """
 
 import argparse
@@ -103,6 +104,36 @@ def mending(scene, base, arguments, options):
     return left <= 2 * floor, f"{given:.4f} -> {left:.4f}, right ones {floor:.4f}"
 
 
+HEAD = """## False confidence
+
+Written by `scripts/bench/false_confidence.py` with {version}: does a run warn where cameras are wrong, and only there? Scenes of {size} px without
+points, drawn with default options: flat and repetitive pictures (paintings, stripes, checkers, windows), from an arc and from anywhere, and sets with
+all, with every second and with nine of their views. *Exchanged*: pictures with each other's names, mirrored, or one for all; or nothing tells where the
+cameras are (equal steps along stripes, cameras that hardly move). *Parts moved*: half of the cameras turned by 1 or 2 degrees, moved by .02 of their
+distance, scaled by 1.05, every second turned and moved a little, or 10 % farther. *Warned*: a WARNING or the verdict "nonsense"; *mended*: no warning,
+and cameras at most twice as far off as right ones of the same scene end when they are refined.
+
+"""
+FLAT = ("art-", "stripes-", "checkers-", "windows-")
+
+
+def group_of(scene):
+    kind = "right" if scene.is_right else "parts moved" if scene.base else "exchanged"
+    return kind, "flat and repetitive pictures" if scene.name.startswith(FLAT) else "sets"
+
+
+def section(limn, outcomes):
+    """The counts of (scene, outcome), and the scenes that were not as they should be."""
+    version = subprocess.run([limn, "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
+    text = HEAD.format(version=version, size=MAX_IMAGE_SIZE) + "| cameras | scenes | drawn | warned | mended | neither |\n|---|---|---|---|---|---|\n"
+    for group in sorted({group_of(scene) for scene, _ in outcomes}, reverse=True):
+        found = Counter(outcome for scene, outcome in outcomes if group_of(scene) == group)
+        mended = str(found["mended"]) if group[0] == "parts moved" else ""
+        text += f"| {' | '.join([*group, str(found.total()), str(found['warned']), mended, str(found['not warned'])])} |\n"
+    failed = [scene.name for scene, outcome in outcomes if scene.is_right == (outcome != "not warned")]
+    return text + f"\nWarned though right, or missed: {', '.join(failed) or 'none'}.\n"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--limn", required=True)
@@ -111,7 +142,7 @@ def main():
     parser.add_argument("--only", nargs="+", default=["*"])
     parser.add_argument("--seed", type=int, default=1)
     arguments, options = parser.parse_known_args()
-    counts = {True: Counter(), False: Counter()}
+    outcomes = []
     rows = ["| scene | cameras | misplaced | outcome | warnings |", "|---|---|---|---|---|"]
     known = {scene.name: scene for scene in scenes(ROOT / "datasets/sample", arguments.data_path, arguments.seed)}
     for scene in known.values():
@@ -120,14 +151,12 @@ def main():
         found = warnings_in(draw(arguments.limn, scene, arguments.output_path / scene.name, options))
         is_mended, numbers = mending(scene, known.get(scene.base), arguments, options)
         outcome = "warned" if found else "mended" if is_mended else "not warned"
-        counts[scene.is_right][outcome] += 1
+        outcomes.append((scene, outcome))
         kind, texts = "right" if scene.is_right else "wrong", "; ".join(text[:100] for text in found) or "-"
         rows.append(f"| {scene.name} | {kind} | {numbers} | {outcome} | {texts} |")
         print(rows[-1], flush=True)
-    for is_right, outcomes in counts.items():
-        rows.append(f"\n{'Right' if is_right else 'Wrong'} scenes: " + ", ".join(f"{n} {outcome}" for outcome, n in sorted(outcomes.items())))
-        print(rows[-1].strip())
     (arguments.output_path / "false_confidence.md").write_text("\n".join(rows) + "\n")
+    (arguments.output_path / "section.md").write_text(section(arguments.limn, outcomes))
 
 
 if __name__ == "__main__":

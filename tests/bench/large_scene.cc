@@ -66,7 +66,7 @@ std::vector<ImageCurves> CurvesOf(const Street& street, const std::vector<ViewId
 
 // Each tile's image curves are made when it is drawn, as those of photographs are read then.
 void RunTiles(const Street& street, int tile_views, const RunContext& context,
-              const StageListener& on_stage_end) {
+              const StageListener& listener) {
   PipelineOptions options;
   options.tiles.max_views = tile_views;
   const Scene& scene = street.scene;
@@ -89,7 +89,8 @@ void RunTiles(const Street& street, int tile_views, const RunContext& context,
                                            std::cout << ' ' << count << ' ' << what;
                                          std::cout << std::endl;
                                        });
-  on_stage_end(meter.Finish("tiles"), ToCurveSet(graph));
+  listener.on_stage_end(meter.Finish("tiles"));
+  listener.on_made("tiles", ToCurveSet(graph));
 }
 
 size_t CountEdgels(const Scene& scene) {
@@ -117,21 +118,24 @@ Json MeasureStreet(const Options& options, const colmap_ext::Console& console) {
   Json set = NewStageSet(
       "street-" + std::to_string(size.num_views) + "-" + std::to_string(size.num_edgels),
       street.scene.views.size(), "world", taus);
-  const auto on_stage_end = [&](const StageCost& cost, const CurveSet& made) {
-    AddCost(cost, options.accuracy ? MeasureTruth(street, made, taus, context) : Json(nullptr),
-            &set);
-    std::cout << cost.stage << ": " << cost.times.seconds << " s, " << made.polylines.size()
-              << " curves" << std::endl;
-  };
+  const StageListener listener = {
+      [&](const StageCost& cost) {
+        AddCost(cost, &set);
+        std::cout << cost.stage << ": " << cost.times.seconds << " s" << std::endl;
+      },
+      [&](const std::string& stage, const CurveSet& made) {
+        std::cout << stage << ": " << made.polylines.size() << " curves" << std::endl;
+        if (options.accuracy) AddTruth(stage, MeasureTruth(street, made, taus, context), &set);
+      }};
   if (options.tile_views > 0) {
-    RunTiles(street, options.tile_views, context, on_stage_end);
+    RunTiles(street, options.tile_views, context, listener);
   } else {
     street.scene.curves = CurvesOf(street, IdsOf(std::nullopt, street.scene.views.size()), context);
     const StageCost made_scene = meter.Finish("scene");
     std::cout << CountEdgels(street.scene) / street.scene.views.size()
               << " edgels per view in the mean; the scene took " << made_scene.times.seconds
               << " s and " << made_scene.peak_mb << " MB\n";
-    RunStages(street.scene, {}, {}, context, on_stage_end);
+    RunStages(street.scene, {}, {}, context, listener);
   }
   AddTotal(&set);
   return set;

@@ -13,6 +13,7 @@
 #include "bench/side_by_side.h"
 #include "bench/stopwatch.h"
 #include "colmap_ext/host/job.h"
+#include "colmap_ext/temp_dir.h"
 #include "limn/files/atomic_file.h"
 #include "limn/formats/read_curves.h"
 #include "limn/formats/write_drawing.h"
@@ -107,11 +108,14 @@ std::vector<std::string> TrainingArguments(const Measured& measured, const Repor
   return arguments;
 }
 
-void MeasureDefaults(const ReportOptions& options, const Measured& measured, Workbench* workbench,
-                     Console* console, const std::function<void(Json)>& add_run) {
-  Workbench training_bench(TrainingArguments(measured, options), measured.training.views, console);
+void MeasureDefaults(const ReportOptions& options, const Measured& measured,
+                     const std::string& cache_path, Console* console,
+                     const std::function<void(Json)>& add_run) {
+  Workbench workbench(SceneArguments(measured.set, options), measured.scene.views, "", console);
+  Workbench training_bench(TrainingArguments(measured, options), measured.training.views,
+                           cache_path, console);
   for (const Method& method : Methods()) {
-    const Reconstruction result = workbench->Run(method, std::nullopt);
+    const Reconstruction result = workbench.Run(method, std::nullopt);
     Json run = MeasureRun(measured, method, nullptr, result, console);
     run["emap"] = MeasureByEmap(measured.truth, result.set);
     run["held_out"] =
@@ -130,15 +134,18 @@ void MeasureDefaults(const ReportOptions& options, const Measured& measured, Wor
 
 // All methods at their first threshold, then at their second, ...: those that share a run follow
 // each other.
-void MeasureSweep(const Measured& measured, Workbench* workbench, Console* console,
+void MeasureSweep(const ReportOptions& options, const Measured& measured,
+                  const std::string& cache_path, Console* console,
                   const std::function<void(Json)>& add_run) {
+  Workbench workbench(SceneArguments(measured.set, options), measured.scene.views, cache_path,
+                      console);
   size_t most = 0;
   for (const Method& method : Methods()) most = std::max(most, method.thresholds.size());
   for (size_t i = 0; i < most; ++i) {
     for (const Method& method : Methods()) {
       if (i >= method.thresholds.size()) continue;
       const int threshold = method.thresholds[i];
-      add_run(MeasureRun(measured, method, threshold, workbench->Run(method, threshold), console));
+      add_run(MeasureRun(measured, method, threshold, workbench.Run(method, threshold), console));
     }
   }
 }
@@ -185,11 +192,12 @@ void MeasureSet(const DataSet& set, const ReportOptions& options, Console* conso
     json["runs"].push_back(std::move(run));
     on_run(json);
   };
-  Workbench workbench(SceneArguments(set, options), measured.scene.views, console);
-  MeasureDefaults(options, measured, &workbench, console, add_run);
+  const TempDir cache;
+  const std::string cache_path = cache.path().string();
+  MeasureDefaults(options, measured, cache_path, console, add_run);
   // Without truth there is nothing to plot.
   if (!options.quick && measured.truth.IsKnown()) {
-    MeasureSweep(measured, &workbench, console, add_run);
+    MeasureSweep(options, measured, cache_path, console, add_run);
   }
 }
 

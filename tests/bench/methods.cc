@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "colmap_ext/verbs/draw.h"
-#include "limn/cache/result_cache.h"
 #include "limn/model/link_selection.h"
 #include "limn/util/errors.h"
 
@@ -62,8 +61,7 @@ void Workbench::Draw(const std::vector<std::string>& arguments) {
   const colmap_ext::Project project(options.run, console_);
   CheckSceneViews(project);
   CheckViews(views_, project.views());
-  ResultCache no_cache{""};
-  auto drawn = DrawInMemory({project, options.run, console_, &no_cache}, options);
+  auto drawn = DrawInMemory({project, options.run, console_, &cache_}, options);
   if (!drawn || !drawn->curves_of_sketch || drawn->cameras) {
     throw InputError("views are too many for one tile, or their cameras were refined");
   }

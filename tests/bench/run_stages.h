@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "bench/scene.h"
 #include "bench/stage_costs.h"
@@ -12,15 +13,19 @@
 
 namespace limn::bench {
 
-// Hears what a stage cost and what it made.
-using StageListener = std::function<void(const StageCost& cost, const CurveSet& made)>;
+struct StageListener {
+  // Of every stage, in their order.
+  std::function<void(const StageCost& cost)> on_stage_end;
+  // The curves after a stage that has ended: the sketch, the drawing, the drawing when its links
+  // are judged, and as it is written, outlines as they are seen.
+  std::function<void(const std::string& stage, const CurveSet& made)> on_made;
+};
 
-// The stages after the image curves, each measured on its own; what the listener does is not
-// measured. They run in the order of DrawScene, for images at their own size, and results of
-// earlier stages stay in memory, as they do there. Kinds are found only with photographs:
-// `read_image` may be empty.
+// The stages of DrawScene after the image curves, with the cameras as they are. What the listener
+// does is not measured; what is done between two stages counts for the later one. Kinds are found
+// only with photographs: `read_image` may be empty.
 void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_image,
                const PipelineOptions& options, const RunContext& context,
-               const StageListener& on_stage_end);
+               const StageListener& listener);
 
 }  // namespace limn::bench

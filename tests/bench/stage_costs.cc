@@ -75,12 +75,15 @@ Json NewStageSet(const std::string& name, size_t num_views, const std::string& u
           {"stages", Json::array()}};
 }
 
-void AddCost(const StageCost& cost, const Json& truth, Json* set) {
+void AddCost(const StageCost& cost, Json* set) {
   Json& stage = *FindStage(cost.stage, set);
   stage["seconds"].push_back(cost.times.seconds);
   stage["cpu_seconds"].push_back(cost.times.cpu_seconds);
   stage["peak_mb"].push_back(cost.peak_mb);
-  if (!truth.is_null()) stage["truth"] = ShortTruth(truth);
+}
+
+void AddTruth(const std::string& stage, const Json& truth, Json* set) {
+  (*FindStage(stage, set))["truth"] = ShortTruth(truth);
 }
 
 void AddTotal(Json* set) {
@@ -93,7 +96,7 @@ void AddTotal(Json* set) {
                                         stage["cpu_seconds"][run].get<double>()};
       total.peak_mb = std::max(total.peak_mb, stage["peak_mb"][run].get<double>());
     }
-    AddCost(total, nullptr, set);
+    AddCost(total, set);
   }
 }
 

@@ -39,14 +39,16 @@ class StageMeter {
 //             "total": sums, and the largest peak
 //   seconds, cpu_seconds, peak_mb   one number per run of the stage
 //   truth     {box: [{tau, precision, recall, f, junction_precision, junction_recall}]}; null where
-//             there is no truth, or the stage has no curves in space. Runs give the same
+//             there is no truth, or nothing was measured. Runs give the same
 Json NewStageReport(const std::string& commit, int num_threads);
 Json NewStageSet(const std::string& name, size_t num_views, const std::string& unit,
                  const std::vector<double>& taus);
 
-// One more run of a stage. `truth` is what MeasureAgainstTruth gives, or null to leave what is
-// there.
-void AddCost(const StageCost& cost, const Json& truth, Json* set);
+// One more run of a stage.
+void AddCost(const StageCost& cost, Json* set);
+
+// What MeasureAgainstTruth gives of the curves after a stage.
+void AddTruth(const std::string& stage, const Json& truth, Json* set);
 
 // "total" of all stages so far, each of which ran as often as the others.
 void AddTotal(Json* set);

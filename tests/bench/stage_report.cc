@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures every stage of the main job on the known data sets (data_sets.h), from photographs and
-// with an empty cache: wall and processor time, peak memory, and how near what it made is to the
-// truth. Writes report.json (keys: stage_costs.h) and report.md. The files are read once before, so
-// that times do not tell of the disk.
+// Measures every stage of the main job on the known data sets (data_sets.h), from photographs,
+// with default options but for the cameras, which are taken as they are given, and with an empty
+// cache: wall and processor time, peak memory, and how near what it made is to the truth. Writes
+// report.json (keys: stage_costs.h) and report.md. The files are read once before, so that times do
+// not tell of the disk.
 #include <string>
 
 #include "bench/bench_main.h"
@@ -12,6 +13,7 @@
 #include "bench/stage_costs.h"
 #include "bench/stage_table.h"
 #include "colmap_ext/host/project.h"
+#include "colmap_ext/host/run_options.h"
 #include "colmap_ext/host/terminal_console.h"
 #include "colmap_ext/temp_dir.h"
 #include "limn/files/atomic_file.h"
@@ -28,7 +30,7 @@ struct Options {
   std::string commit;
   int repeat = 1;
   bool accuracy = true;
-  int max_image_size = -1;
+  int max_image_size = 0;
   int num_threads = -1;
 };
 
@@ -41,7 +43,7 @@ void AddOptions(Options* options, OptionParser* parser) {
   parser->AddOption("repeat", &options->repeat, "runs of every stage");
   parser->AddOption("accuracy", &options->accuracy, "compare with the truth");
   parser->AddOption("max_image_size", &options->max_image_size,
-                    "shrink images to this longer side, px, -1 = off");
+                    "shrink images to this longer side, px, -1 = off, 0 = as by default");
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
 }
 
@@ -56,6 +58,21 @@ void ReadImagesOnce(const colmap_ext::Project& project) {
   }
 }
 
+colmap_ext::RunOptions RunOptionsFor(const DataSet& data, const std::string& output_path,
+                                     const Options& options) {
+  colmap_ext::RunOptions run = colmap_ext::DefaultRunOptions(Quality::kMedium);
+  run.layout.workspace_path = data.workspace_path;
+  run.layout.output_path = output_path;
+  if (options.max_image_size != 0) run.view.max_image_size = options.max_image_size;
+  return run;
+}
+
+// The views in pixels of the images, in which distances are measured.
+std::vector<View> ViewsOfImages(colmap_ext::RunOptions run, colmap_ext::Console* console) {
+  run.view.max_scale = 1;
+  return colmap_ext::Project(run, console).views();
+}
+
 Scene ExtractScene(const colmap_ext::Project& project, const PipelineOptions& options,
                    const RunContext& context, Json* set) {
   const TempDir folder;
@@ -63,33 +80,35 @@ Scene ExtractScene(const colmap_ext::Project& project, const PipelineOptions& op
   const StageMeter meter;
   CurvesResult curves = ExtractCurves({project.views(), project.images(), &cache}, options.edges,
                                       options.linking, context);
-  AddCost(meter.Finish(curves.summary.stage), nullptr, set);
+  AddCost(meter.Finish(curves.summary.stage), set);
   return {project.views(), std::move(curves.curves), project.view_set().hints};
 }
 
 Json MeasureStages(const DataSet& data, const Options& options, colmap_ext::Console* console) {
   const TempDir unused;
-  colmap_ext::RunOptions run;
-  run.layout.workspace_path = data.workspace_path;
-  run.layout.output_path = unused.path().string();
-  run.view.max_image_size = options.max_image_size;
+  const colmap_ext::RunOptions run = RunOptionsFor(data, unused.path().string(), options);
   const colmap_ext::Project project(run, console);
+  const std::vector<View> views = ViewsOfImages(run, console);
   const Truth truth = options.accuracy ? ReadTruth(data) : Truth();
   Json set = NewStageSet(data.name, project.views().size(),
                          data.in_footprints ? "footprint" : "world", data.taus);
   ReadImagesOnce(project);
+  StageListener listener;
+  listener.on_stage_end = [&](const StageCost& cost) {
+    AddCost(cost, &set);
+    console->Say(data.name + ", " + cost.stage + ": " + std::to_string(cost.times.seconds) + " s");
+  };
   for (int i = 0; i < options.repeat; ++i) {
+    // Every run makes the same.
+    listener.on_made = [&](const std::string& stage, const CurveSet& made) {
+      if (i > 0 || !truth.IsKnown()) return;
+      AddTruth(stage,
+               MeasureAgainstTruth(data, truth, views, made, /*find_duplicates=*/false,
+                                   console->context()),
+               &set);
+    };
     const Scene scene = ExtractScene(project, run.pipeline, console->context(), &set);
-    RunStages(scene, project.images().read, run.pipeline, console->context(),
-              [&](const StageCost& cost, const CurveSet& made) {
-                // Every run makes the same.
-                const Json shares = i == 0 ? MeasureAgainstTruth(data, truth, scene.views, made,
-                                                                 false, console->context())
-                                           : Json(nullptr);
-                AddCost(cost, shares, &set);
-                console->Say(data.name + ", " + cost.stage + ": " +
-                             std::to_string(cost.times.seconds) + " s");
-              });
+    RunStages(scene, project.images().read, run.pipeline, console->context(), listener);
   }
   AddTotal(&set);
   return set;
