@@ -87,8 +87,8 @@ Scene ExtractScene(const colmap_ext::Project& project, const PipelineOptions& op
 Json MeasureStages(const DataSet& data, const Options& options, colmap_ext::Console* console) {
   const TempDir unused;
   const colmap_ext::RunOptions run = RunOptionsFor(data, unused.path().string(), options);
-  const colmap_ext::Project project(run, console);
   const std::vector<View> views = ViewsOfImages(run, console);
+  const colmap_ext::Project project(run, console);
   const Truth truth = options.accuracy ? ReadTruth(data) : Truth();
   Json set = NewStageSet(data.name, project.views().size(),
                          data.in_footprints ? "footprint" : "world", data.taus);
