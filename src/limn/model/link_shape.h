@@ -10,8 +10,8 @@
 namespace limn {
 
 // A link's primitive may be this many times the diagonal of the box of the link's points away from
-// that box. Those that are fitted stay within half of it; those far away are no description of the
-// link, and their numbers overflow where files are written.
+// that box. Those farther away are no description of the link, and their numbers overflow where
+// files are written.
 constexpr double kMaxShapeDistance = 10;
 
 // Whether a valid shape is so near to the points of its link. Linear time.

@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 
 #include "limn/geometry/polyline.h"
+#include "limn/model/link_shape.h"
 #include "limn/primitives/continuity.h"
 #include "limn/primitives/link_samples.h"
 #include "limn/primitives/shape_choice.h"
@@ -205,7 +206,10 @@ DrawingGraph Fitted(const DrawingGraph& graph, const std::vector<uint8_t>& refit
     result.links[l].primitive.reset();
     result.links[l].regularity.reset();
     const std::optional<FittedShape>& fitted = fits[l].fitted;
-    if (!fitted || !ValidateShape(fitted->shape).empty()) continue;
+    if (!fitted || !ValidateShape(fitted->shape).empty() ||
+        !IsAlongLink(fitted->shape, result.links[l].points_in_world)) {
+      continue;
+    }
     LinkPrimitive& primitive = result.links[l].primitive.emplace();
     primitive.shape = fitted->shape;
     primitive.rms_px = fitted->rms_px;

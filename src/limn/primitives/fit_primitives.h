@@ -25,7 +25,8 @@ struct PrimitiveResult {
 // parameters. Nodes move to where the shapes of their links, fitted freely, meet, and nearby points
 // of the links follow; then all shapes are fitted with their ends held there. Free ends move with
 // the fit. Splines leave a node in the direction of the link that continues them. A link that no
-// view sees gets no primitive. Drops regularities and faces. Throws OptionError and Cancelled.
+// view sees, or whose best shape leaves it (IsAlongLink), gets no primitive. Drops regularities and
+// faces. Throws OptionError and Cancelled.
 PrimitiveResult FitPrimitives(const DrawingGraph& graph, const std::vector<View>& views,
                               const PrimitiveOptions& options, const RunContext& context);
 

@@ -2,7 +2,6 @@
 #include "limn/primitives/link_samples.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 #include <Eigen/Eigenvalues>
@@ -22,11 +21,16 @@ constexpr size_t kTangentReach = 3;
 // Weight of offsets along the curve: they only keep the ends in place.
 constexpr double kAlongWeight = 0.1;
 
-std::vector<ViewId> ViewsOf(const DrawingLink& link, const std::vector<View>& views) {
+// Nobody but its supporting views, or else those that show a point, can tell how it moves: a camera
+// that looks aside may be arbitrarily near to it.
+std::vector<ViewId> ViewsOf(const DrawingLink& link, const Eigen::Vector3d& point,
+                            const std::vector<View>& views) {
   if (!link.supporting_views.empty()) return link.supporting_views;
-  std::vector<ViewId> all(views.size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
+  std::vector<ViewId> showing;
+  for (size_t v = 0; v < views.size(); ++v) {
+    if (views[v].Project(point)) showing.push_back(static_cast<ViewId>(v));
+  }
+  return showing;
 }
 
 // The gradient of the distance across the projected curve; nothing if the curve is not seen.
@@ -72,7 +76,6 @@ Eigen::Matrix3d Across(const Eigen::Vector3d& point, const Eigen::Vector3d& tang
 
 LinkSamples SampleLink(const DrawingLink& link, const std::vector<View>& views) {
   LinkSamples result;
-  const std::vector<ViewId> of_link = ViewsOf(link, views);
   const double length = Length(link.points_in_world);
   if (!(length > 0)) return result;
   const double footprint = LinkFootprint(link, views);
@@ -89,7 +92,7 @@ LinkSamples SampleLink(const DrawingLink& link, const std::vector<View>& views) 
     LinkSample3d sample;
     sample.position = points[k];
     sample.t = static_cast<double>(k) / static_cast<double>(last);
-    sample.across = Across(points[k], tangent, views, of_link, footprint);
+    sample.across = Across(points[k], tangent, views, ViewsOf(link, points[k], views), footprint);
     sample.tangent = tangent;
     result.samples.push_back(sample);
   }

@@ -31,8 +31,8 @@ struct LinkSamples {
   double footprint = 0;               // world units, at the middle of the link
 };
 
-// Samples a link about every 2 px, as seen in its supporting views (in all views if it has none).
-// Empty if no view sees it. Time: samples times views.
+// Samples a link about every 2 px, as seen in its supporting views (in all that show the place if
+// it has none). Empty if no view sees it. Time: samples times views.
 LinkSamples SampleLink(const DrawingLink& link, const std::vector<View>& views);
 
 // Reduces the weight of samples within `zone_px` (at most a quarter of the length) of these ends.

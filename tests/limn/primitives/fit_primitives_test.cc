@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limn/primitives/fit_primitives.h"
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
 #include "support/noisy_drawing.h"
+#include "support/random_numbers.h"
+#include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
@@ -190,6 +194,61 @@ TEST(FitPrimitives, ShortLinksDoNotCollapse) {
   const PrimitiveResult result = Fit(scene.graph());
   EXPECT_GT(Length(result.graph.links[0].points_in_world), 0.4 * kPx);
   for (const DrawingLink& link : result.graph.links) EXPECT_TRUE(link.primitive);
+}
+
+// There and back at once.
+Curve Hook(const Eigen::Vector3d& start, const Eigen::Vector3d& there,
+           const Eigen::Vector3d& back) {
+  const double turn = there.norm() / (there.norm() + back.norm());
+  return [=](double t) -> Eigen::Vector3d {
+    return start + std::min(t / turn, 1.0) * there + std::max((t - turn) / (1 - turn), 0.0) * back;
+  };
+}
+
+// The plane of the last camera contains the origin, which is far outside its image: what a point
+// there would move by in its pixels says nothing.
+std::vector<View> ViewsAndOneAside() {
+  std::vector<View> views = Views();
+  views.push_back(testing::LookAt({3, 0, -0.004}, {3, 0.3, 10}));
+  return views;
+}
+
+TEST(FitPrimitives, ShapesThatLeaveTheirLinksAreNone) {
+  std::mt19937 random(3);
+  testing::NormalDistribution<double> gauss;
+  const auto direction = [&] { return testing::RandomVector(gauss, random).normalized(); };
+  const std::vector<View> views = ViewsAndOneAside();
+  Scene scene;
+  constexpr int kNumHooks = 300;
+  for (int i = 0; i < kNumHooks; ++i) {
+    const Eigen::Vector3d there = 2 * kPx * direction();
+    const Eigen::Vector3d back = -1.5 * there + 2 * kPx * direction();
+    const NodeId node = scene.AddNode({0, 0, 0});
+    scene.AddLink(node, scene.AddNode(there + back), Hook({0, 0, 0}, there, back),
+                  there.norm() + back.norm());
+    const Eigen::Vector3d end = 0.3 * direction();
+    scene.AddLink(node, scene.AddNode(end), LineCurve({0, 0, 0}, end), 0.3);
+  }
+  DrawingGraph graph = scene.graph();
+  for (DrawingLink& link : graph.links) {
+    link.supporting_views.push_back(static_cast<ViewId>(views.size()) - 1);
+  }
+  const PrimitiveResult result = FitPrimitives(graph, views, {}, {});
+  // It looks where they are.
+  EXPECT_THAT(Validate(result.graph), ::testing::IsEmpty());
+  const int num_without = Describe(result.graph).kinds.back().count;
+  EXPECT_GT(num_without, 0);
+  EXPECT_LT(num_without, kNumHooks / 10);
+}
+
+TEST(FitPrimitives, ViewsThatDoNotShowALinkDoNotCount) {
+  Scene scene;
+  scene.AddCurve(Wave(-0.3, 0.3), 0.7);
+  DrawingGraph graph = scene.graph();
+  graph.links[0].supporting_views.clear();
+  const PrimitiveResult result = FitPrimitives(graph, ViewsAndOneAside(), {}, {});
+  ASSERT_TRUE(result.graph.links[0].primitive);
+  EXPECT_LT(result.graph.links[0].primitive->max_px, 5 * kNoisePx);
 }
 
 TEST(FitPrimitives, WhatNoViewSeesGetsNone) {
