@@ -9,5 +9,5 @@ cmake --build --preset release --target large_scene >/dev/null
 for views in 25 100 400 1000; do
   build/release/tests/bench/large_scene --views $views --accuracy 0 --tile_views 150 --output_path build/street/$views
 done
-/usr/bin/python3 scripts/bench/street_section.py build/street datasets/results/scaling.png >build/street/section.md
-echo "Look at: build/street/section.md"
+/usr/bin/python3 scripts/bench/street_section.py build/street build/street/scaling.png >build/street/section.md
+echo "Look at: build/street/section.md, scaling.png"

@@ -41,7 +41,7 @@ def body():
     with tempfile.TemporaryDirectory() as folder:
         run = Run([word.replace("{new}", folder) for word in arguments.command])
     data_set = {"name": arguments.name, "num_views": None, "unit": "", "taus": [], "stages": stages_of(run)}
-    report = {"format": "limn stages 1", "commit": arguments.commit, "threads": -1, "sets": [data_set]}
+    report = {"format": "limn stages 2", "commit": arguments.commit, "threads": -1, "sets": [data_set]}
     with open(arguments.output, "w", encoding="utf-8") as file:
         json.dump(report, file, indent=1)
 

@@ -69,6 +69,8 @@ def main():
     reports_a, reports_b = (read_reports(Path(sys.argv[1]), letter) for letter in "ab")
     if not reports_a or len(reports_a) != len(reports_b):
         sys.exit(f"ERROR: {sys.argv[1]}: needs as many reports a-*.json as b-*.json, at least one")
+    if len({report["format"] for report in reports_a + reports_b}) > 1:
+        sys.exit(f"ERROR: {sys.argv[1]}: A and B do not measure the same: their reports have different formats")
     stages_a, stages_b = stages_of(reports_a), stages_of(reports_b)
     print(f"A = {reports_a[0]['commit']}, B = {reports_b[0]['commit']}, {len(reports_a)} runs each\n")
     print_row(["set", "stage", "s: A, B", "B / A", "CPU s: A, B", "B / A", "peak MB: A, B", "B / A",

@@ -8,13 +8,14 @@ COLMAP.md is what compare_colmap.py printed. Prints the section.
 """
 
 import json
+import statistics
 import sys
 from pathlib import Path
 
 HEAD = """## What a drawing costs
 
-Written by `scripts/measure_costs.sh` at commit {commit}: `limn automatic_drawer` with default options, but with cameras as they are given and without
-writing its results ([stage_report](../tests/README.md#time-and-memory)); images as drawn, which are up to 1.5 times as large as the photographs.
+Written by `scripts/measure_costs.sh` at commit {commit}: the stages of `limn automatic_drawer` with default options, but with cameras as they are
+given, without reading the model and without writing results ([stage_report](../tests/README.md#time-and-memory)); medians.
 
 """
 COLMAP = """
@@ -33,9 +34,9 @@ def table(sets):
     text = row(["", *(data_set["name"] for data_set in sets)]) + row(["---"] * (len(sets) + 1))
     text += row(["views", *(str(data_set["num_views"]) for data_set in sets)])
     for name, key in (("s", "seconds"), ("CPU s", "cpu_seconds"), ("peak MB", "peak_mb")):
-        text += row([name, *(f"{total[key][0]:.0f}" for total in totals)])
+        text += row([name, *(f"{statistics.median(total[key]):.0f}" for total in totals)])
     for i, stage in enumerate(sets[0]["stages"][:-1]):
-        shares = (data_set["stages"][i]["cpu_seconds"][0] / total["cpu_seconds"][0] for data_set, total in zip(sets, totals))
+        shares = (sum(data_set["stages"][i]["cpu_seconds"]) / sum(total["cpu_seconds"]) for data_set, total in zip(sets, totals))
         text += row([f"{stage['stage']}, % of CPU s", *(f"{100 * share:.0f}" for share in shares)])
     return text
 

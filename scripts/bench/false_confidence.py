@@ -4,7 +4,7 @@
 
     false_confidence.py --limn LIMN --output_path FOLDER [--data_path DATA] [--only PATTERN ...] [--seed 1] [options of automatic_drawer]
 
-Scenes come from the sample scene, from the data sets that DATA has (folders as datasets/RESULTS.md names them), and from
+Needs python3-opencv. Scenes come from the sample scene, from the data sets that DATA has (folders as datasets/RESULTS.md names them), and from
 pictures of flat and repetitive things that this script renders. A run warns if it prints a WARNING or the verdict "nonsense".
 "Misplaced" is the mean error of the places of cameras that were moved, over their distance from the middle, as given and, if the
 run refined them, as refined. Cameras are mended if that is at most twice what right cameras of the same scene end at when they are
@@ -19,7 +19,6 @@ import shutil
 import subprocess
 import sys
 import time
-from collections import Counter
 from pathlib import Path
 
 import cv2
@@ -29,6 +28,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "sample_scene"))
 
 from camera_poses import misplacement, rotation_of  # noqa: E402
 from colmap_files import quaternion  # noqa: E402
+from confidence_section import section  # noqa: E402
 from wrong_scenes import scenes  # noqa: E402
 
 MAX_IMAGE_SIZE = 320
@@ -53,24 +53,32 @@ def write_workspace(scene, folder):
     (folder / "sparse/points3D.txt").write_text("")
 
 
-def draw(limn, scene, folder, options):
-    """The log of a run; made once."""
+def version_of(limn):
+    return subprocess.run([limn, "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
+
+
+def draw(arguments, scene, folder, options):
+    """The log of a run; made once for a program, a seed and options."""
     log = folder / "log"
-    if not log.exists():
+    made_by = f"{version_of(arguments.limn)}, seed {arguments.seed}, options: {' '.join(options)}\n"
+    if not log.exists() or not log.read_text().startswith(made_by):
         shutil.rmtree(folder, ignore_errors=True)
         write_workspace(scene, folder)
         begin = time.time()
-        run = subprocess.run(["timeout", "600", limn, "automatic_drawer", "--workspace_path", folder, "--page", "0",
+        run = subprocess.run(["timeout", "600", arguments.limn, "automatic_drawer", "--workspace_path", folder, "--page", "0",
                               "--max_image_size", str(MAX_IMAGE_SIZE), *options], capture_output=True, text=True)
-        log.write_text(f"{run.stdout}{run.stderr}exit code {run.returncode}, {time.time() - begin:.1f} s\n")
+        log.write_text(f"{made_by}{run.stdout}{run.stderr}exit code {run.returncode}, {time.time() - begin:.1f} s\n")
     return log.read_text()
 
 
 def warnings_in(log):
-    found = [" ".join(filter(None, match)) for match in WARNING.findall(log)]
-    if "exit code 0" not in log:
-        found.append("ended: " + log.strip().splitlines()[-2] if log.count("\n") > 1 else log)
-    return found
+    return [" ".join(filter(None, match)) for match in WARNING.findall(log)]
+
+
+def outcome_of(log, is_mended):
+    if "\nexit code 0," not in log:
+        return "failed"
+    return "warned" if warnings_in(log) else "mended" if is_mended else "not warned"
 
 
 def refined_centers(path):
@@ -99,39 +107,9 @@ def mending(scene, base, arguments, options):
     if left is None:
         return False, f"{given:.4f}"
     folder = arguments.output_path / f"{base.name}-refined"
-    draw(arguments.limn, base, folder, [*options, "--refine_cameras", "1"])
+    draw(arguments, base, folder, [*options, "--refine_cameras", "1"])
     floor = misplaced(base.make, folder) or 0
     return left <= 2 * floor, f"{given:.4f} -> {left:.4f}, right ones {floor:.4f}"
-
-
-HEAD = """## False confidence
-
-Written by `scripts/bench/false_confidence.py` with {version}: does a run warn where cameras are wrong, and only there? Scenes of {size} px without
-points, drawn with default options: flat and repetitive pictures (paintings, stripes, checkers, windows), from an arc and from anywhere, and sets with
-all, with every second and with nine of their views. *Exchanged*: pictures with each other's names, mirrored, or one for all; or nothing tells where the
-cameras are (equal steps along stripes, cameras that hardly move). *Parts moved*: half of the cameras turned by 1 or 2 degrees, moved by .02 of their
-distance, scaled by 1.05, every second turned and moved a little, or 10 % farther. *Warned*: a WARNING or the verdict "nonsense"; *mended*: no warning,
-and cameras at most twice as far off as right ones of the same scene end when they are refined.
-
-"""
-FLAT = ("art-", "stripes-", "checkers-", "windows-")
-
-
-def group_of(scene):
-    kind = "right" if scene.is_right else "parts moved" if scene.base else "exchanged"
-    return kind, "flat and repetitive pictures" if scene.name.startswith(FLAT) else "sets"
-
-
-def section(limn, outcomes):
-    """The counts of (scene, outcome), and the scenes that were not as they should be."""
-    version = subprocess.run([limn, "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
-    text = HEAD.format(version=version, size=MAX_IMAGE_SIZE) + "| cameras | scenes | drawn | warned | mended | neither |\n|---|---|---|---|---|---|\n"
-    for group in sorted({group_of(scene) for scene, _ in outcomes}, reverse=True):
-        found = Counter(outcome for scene, outcome in outcomes if group_of(scene) == group)
-        mended = str(found["mended"]) if group[0] == "parts moved" else ""
-        text += f"| {' | '.join([*group, str(found.total()), str(found['warned']), mended, str(found['not warned'])])} |\n"
-    failed = [scene.name for scene, outcome in outcomes if scene.is_right == (outcome != "not warned")]
-    return text + f"\nWarned though right, or missed: {', '.join(failed) or 'none'}.\n"
 
 
 def main():
@@ -148,15 +126,16 @@ def main():
     for scene in known.values():
         if not any(fnmatch.fnmatch(scene.name, pattern) for pattern in arguments.only):
             continue
-        found = warnings_in(draw(arguments.limn, scene, arguments.output_path / scene.name, options))
+        log = draw(arguments, scene, arguments.output_path / scene.name, options)
+        found = warnings_in(log)
         is_mended, numbers = mending(scene, known.get(scene.base), arguments, options)
-        outcome = "warned" if found else "mended" if is_mended else "not warned"
+        outcome = outcome_of(log, is_mended)
         outcomes.append((scene, outcome))
         kind, texts = "right" if scene.is_right else "wrong", "; ".join(text[:100] for text in found) or "-"
         rows.append(f"| {scene.name} | {kind} | {numbers} | {outcome} | {texts} |")
         print(rows[-1], flush=True)
     (arguments.output_path / "false_confidence.md").write_text("\n".join(rows) + "\n")
-    (arguments.output_path / "section.md").write_text(section(arguments.limn, outcomes))
+    (arguments.output_path / "section.md").write_text(section(version_of(arguments.limn), MAX_IMAGE_SIZE, outcomes))
 
 
 if __name__ == "__main__":

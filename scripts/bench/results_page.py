@@ -184,7 +184,8 @@ Written by `scripts/reproduce_results.sh` at commit {commit}; do not edit. Preci
 truth, recall R the share of the true length within tau of the drawing, F their harmonic mean, in percent, inside the box of the data set; px: pixel
 footprints. *P of samples* is the paper's definition read literally ([precision and recall](../src/limn/algorithm/evaluation.md#precision-and-recall)): copies of right curves do not
 raise it. It depends on the density of points where either side has points instead of curves (PMVS; the truth of the vase). *CPU s*: of the command
-without writing its results, which makes sketch and drawing; cameras are taken as they are given. The methods:
+without writing its results, which makes sketch and drawing; cameras are taken as they are given. Where the data sets come from:
+[datasets/README.md](README.md#the-data-sets-of-the-results). The methods:
 
 """
 

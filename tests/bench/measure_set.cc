@@ -34,18 +34,12 @@ struct Measured {
   double seconds = 0;  // of the image curves
 };
 
-// The arguments of automatic_drawer for a data set.
-std::vector<std::string> SceneArguments(const DataSet& set, const ReportOptions& options) {
-  std::vector<std::string> arguments = {"--workspace_path", set.workspace_path, "--output_path",
-                                        options.output_path + "/" + set.name};
-  if (options.max_image_size != 0) {
-    arguments.push_back("--max_image_size=" + std::to_string(options.max_image_size));
-  }
-  return arguments;
+std::vector<std::string> ArgumentsFor(const DataSet& set, const ReportOptions& options) {
+  return SceneArguments(set, options.output_path + "/" + set.name, options.max_image_size);
 }
 
 Measured Load(const DataSet& set, const ReportOptions& options, Console* console) {
-  colmap_ext::DrawerOptions drawer = DrawerOptionsOf(SceneArguments(set, options));
+  colmap_ext::DrawerOptions drawer = DrawerOptionsOf(ArgumentsFor(set, options));
   drawer.run.view.max_scale = 1;  // distances are in pixels of the images
   const colmap_ext::Project project(drawer.run, console);
   Measured measured{set, ReadTruth(set), {}, {}, {}, 0};
@@ -103,7 +97,7 @@ std::vector<std::string> TrainingArguments(const Measured& measured, const Repor
   WriteFileAtomically(list, [&](std::ostream& out) {
     for (const View& view : measured.training.views) out << view.name << '\n';
   });
-  std::vector<std::string> arguments = SceneArguments(measured.set, options);
+  std::vector<std::string> arguments = ArgumentsFor(measured.set, options);
   arguments.insert(arguments.end(), {"--image_list_path", list});
   return arguments;
 }
@@ -111,7 +105,7 @@ std::vector<std::string> TrainingArguments(const Measured& measured, const Repor
 void MeasureDefaults(const ReportOptions& options, const Measured& measured,
                      const std::string& cache_path, Console* console,
                      const std::function<void(Json)>& add_run) {
-  Workbench workbench(SceneArguments(measured.set, options), measured.scene.views, "", console);
+  Workbench workbench(ArgumentsFor(measured.set, options), measured.scene.views, "", console);
   Workbench training_bench(TrainingArguments(measured, options), measured.training.views,
                            cache_path, console);
   for (const Method& method : Methods()) {
@@ -132,21 +126,24 @@ void MeasureDefaults(const ReportOptions& options, const Measured& measured,
   }
 }
 
-// All methods at their first threshold, then at their second, ...: those that share a run follow
-// each other.
+// Threshold by threshold, all methods that share their runs.
 void MeasureSweep(const ReportOptions& options, const Measured& measured,
                   const std::string& cache_path, Console* console,
                   const std::function<void(Json)>& add_run) {
-  Workbench workbench(SceneArguments(measured.set, options), measured.scene.views, cache_path,
+  Workbench workbench(ArgumentsFor(measured.set, options), measured.scene.views, cache_path,
                       console);
-  size_t most = 0;
-  for (const Method& method : Methods()) most = std::max(most, method.thresholds.size());
-  for (size_t i = 0; i < most; ++i) {
-    for (const Method& method : Methods()) {
-      if (i >= method.thresholds.size()) continue;
-      const int threshold = method.thresholds[i];
-      add_run(MeasureRun(measured, method, threshold, workbench.Run(method, threshold), console));
+  const std::vector<Method>& methods = Methods();
+  for (auto begin = methods.begin(); begin != methods.end();) {
+    const auto end = std::find_if(begin, methods.end(), [&](const Method& method) {
+      return method.arguments != begin->arguments;
+    });
+    for (const int threshold : begin->thresholds) {
+      for (auto method = begin; method != end; ++method) {
+        add_run(
+            MeasureRun(measured, *method, threshold, workbench.Run(*method, threshold), console));
+      }
     }
+    begin = end;
   }
 }
 

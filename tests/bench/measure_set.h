@@ -26,7 +26,7 @@ struct ReportOptions {
 //   runs               [{method, threshold_name, threshold (null: default options), seconds,
 //                        cpu_seconds, shape, truth: {box: report}}]; those with default options
 //                        have also emap and held_out, and only their times are those of the
-//                        command, as others find image curves in a cache
+//                        command: others may find image curves in a cache
 //   peers              [{method, shape, truth: {box: report}}] of stored results of other programs
 //   missing_peers      files of such results that are not there
 // Writes drawings, pictures and the list of images that are not held out. `on_run` hears of all

@@ -44,6 +44,15 @@ const std::vector<Method>& Methods() {
   return methods;
 }
 
+std::vector<std::string> SceneArguments(const DataSet& set, const std::string& output_path,
+                                        int max_image_size) {
+  std::vector<std::string> arguments = {"--workspace_path", set.workspace_path, "--output_path",
+                                        output_path};
+  if (max_image_size != 0)
+    arguments.push_back("--max_image_size=" + std::to_string(max_image_size));
+  return arguments;
+}
+
 colmap_ext::DrawerOptions DrawerOptionsOf(const std::vector<std::string>& arguments) {
   std::vector<const char*> words = {"automatic_drawer"};
   for (const std::string& argument : arguments) words.push_back(argument.c_str());

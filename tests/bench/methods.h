@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/data_sets.h"
 #include "bench/measures/supported_curve.h"
 #include "bench/stopwatch.h"
 #include "colmap_ext/host/console.h"
@@ -25,7 +26,7 @@ struct Reconstruction {
   std::optional<DrawingGraph> graph;  // of a drawing, rods by their outlines
   // The same drawing with rods by their center lines.
   std::optional<DrawingGraph> with_rods;
-  Times times;  // of the command that makes both sketch and drawing
+  Times times;  // of what makes both sketch and drawing
 };
 
 // A way from photographs to 3D curves, and the threshold that is swept for its curve of precision
@@ -42,8 +43,13 @@ struct Method {
   std::vector<int> thresholds;
 };
 
-// One line per method.
+// One line per method; those that share their runs follow each other and have the same thresholds.
 const std::vector<Method>& Methods();
+
+// The arguments of automatic_drawer for a data set. `max_image_size`: px, -1 = as stored, 0 = as by
+// default.
+std::vector<std::string> SceneArguments(const DataSet& set, const std::string& output_path,
+                                        int max_image_size);
 
 // The options of a command line of automatic_drawer, without its name. Throws OptionError.
 colmap_ext::DrawerOptions DrawerOptionsOf(const std::vector<std::string>& arguments);
@@ -53,8 +59,8 @@ colmap_ext::DrawerOptions DrawerOptionsOf(const std::vector<std::string>& argume
 class Workbench {
  public:
   // `arguments`: of automatic_drawer, which photographs of which project are drawn: those of
-  // `views`, which must outlive it. `cache_path`: where results are kept, which makes times shorter
-  // than those of the command; "" = nowhere.
+  // `views`, which must outlive it. `cache_path`: where image curves are kept, without which times
+  // are those of the command; "" = nowhere.
   Workbench(std::vector<std::string> arguments, const std::vector<View>& views,
             const std::string& cache_path, colmap_ext::Console* console)
       : scene_arguments_(std::move(arguments)),

@@ -293,7 +293,7 @@ void PrintSweep(const Json& set, std::ostream& out) {
   out << "Sweep of the support threshold, box " << box << ":\n\n";
   Cells heads = {"method", "threshold"};
   Append(TauHeads(set), &heads);
-  Append({"links", "CPU s"}, &heads);
+  Append({"links"}, &heads);
   PrintHead(heads, out);
   for (const Json& run : set["runs"]) {
     if (IsDefault(run)) continue;
@@ -301,7 +301,6 @@ void PrintSweep(const Json& set, std::ostream& out) {
                                       run["threshold_name"].get<std::string>()};
     for (const Json& row : run["truth"][box]["rows"]) cells.push_back(Shares(row));
     cells.push_back(std::to_string(run["shape"]["num_links"].get<int>()));
-    cells.push_back(Fixed(run["cpu_seconds"], 1));
     PrintRow(cells, out);
   }
   out << '\n';

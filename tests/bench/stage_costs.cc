@@ -60,7 +60,7 @@ StageCost StageMeter::Finish(const std::string& stage) const {
 }
 
 Json NewStageReport(const std::string& commit, int num_threads) {
-  return {{"format", "limn stages 1"},
+  return {{"format", "limn stages 2"},
           {"commit", commit},
           {"threads", num_threads},
           {"sets", Json::array()}};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +30,7 @@ class StageMeter {
 };
 
 // The report of stages, which scripts/compare_commits.sh compares. Keys are only ever added:
-//   format    "limn stages 1"
+//   format    "limn stages 2"; 1 had images at their own size, and other stages
 //   commit    what was measured, as git describes it; "" if unknown
 //   threads   -1: all cores
 //   sets      [{name, num_views, unit, taus, stages}]

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measures every stage of the main job on the known data sets (data_sets.h), from photographs,
-// with default options but for the cameras, which are taken as they are given, and with an empty
-// cache: wall and processor time, peak memory, and how near what it made is to the truth. Writes
-// report.json (keys: stage_costs.h) and report.md. The files are read once before, so that times do
-// not tell of the disk.
+// with default options but for the cameras, which are taken as they are given: wall and processor
+// time, peak memory, and how near what it made is to the truth. Only image curves are written to a
+// cache. Writes report.json (keys: stage_costs.h) and report.md. The files are read once before, so
+// that times do not tell of the disk.
 #include <string>
 
 #include "bench/bench_main.h"
 #include "bench/data_sets.h"
 #include "bench/measure.h"
+#include "bench/methods.h"
 #include "bench/run_stages.h"
 #include "bench/stage_costs.h"
 #include "bench/stage_table.h"
 #include "colmap_ext/host/project.h"
-#include "colmap_ext/host/run_options.h"
 #include "colmap_ext/host/terminal_console.h"
 #include "colmap_ext/temp_dir.h"
 #include "limn/files/atomic_file.h"
@@ -58,15 +58,6 @@ void ReadImagesOnce(const colmap_ext::Project& project) {
   }
 }
 
-colmap_ext::RunOptions RunOptionsFor(const DataSet& data, const std::string& output_path,
-                                     const Options& options) {
-  colmap_ext::RunOptions run = colmap_ext::DefaultRunOptions(Quality::kMedium);
-  run.layout.workspace_path = data.workspace_path;
-  run.layout.output_path = output_path;
-  if (options.max_image_size != 0) run.view.max_image_size = options.max_image_size;
-  return run;
-}
-
 // The views in pixels of the images, in which distances are measured.
 std::vector<View> ViewsOfImages(colmap_ext::RunOptions run, colmap_ext::Console* console) {
   run.view.max_scale = 1;
@@ -86,7 +77,8 @@ Scene ExtractScene(const colmap_ext::Project& project, const PipelineOptions& op
 
 Json MeasureStages(const DataSet& data, const Options& options, colmap_ext::Console* console) {
   const TempDir unused;
-  const colmap_ext::RunOptions run = RunOptionsFor(data, unused.path().string(), options);
+  const auto run =
+      DrawerOptionsOf(SceneArguments(data, unused.path().string(), options.max_image_size)).run;
   const std::vector<View> views = ViewsOfImages(run, console);
   const colmap_ext::Project project(run, console);
   const Truth truth = options.accuracy ? ReadTruth(data) : Truth();

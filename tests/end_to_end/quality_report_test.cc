@@ -104,39 +104,56 @@ nlohmann::json RowsByHand(const std::vector<std::string>& arguments, const std::
   return ReadJson(report).at("rows");
 }
 
-void ExpectFiguresOfCommands(const nlohmann::json& runs) {
+// What one of the thresholds of the sweep is, as options of the command.
+std::vector<std::string> SweptOptions(const std::string& method) {
+  if (method == "original sketch") return {"--Sketch.original_min_inliers_total", "250"};
+  if (method == "enhanced sketch" || method == "paper drawing") {
+    return {"--Sketch.min_supporting_views", "8"};
+  }
+  return {"--Sketch.min_supporting_views",  "8", "--Drawing.min_supporting_views", "8",
+          "--Drawing.max_supporting_views", "8"};
+}
+
+void ExpectFiguresOfCommand(const nlohmann::json& run) {
   const std::map<std::string, std::string> files = {
       {"original sketch", "curves/sketch.ply"},          {"paper drawing", "drawing.json"},
       {"enhanced sketch", "curves/enhanced-sketch.ply"}, {"default drawing", "drawing.json"},
       {"swept sketch", "curves/swept-sketch.ply"},
   };
-  for (const nlohmann::json& run : runs) {
-    const std::string method = run.at("method");
-    const nlohmann::json rows = RowsByHand(run.at("arguments"), files.at(method));
-    for (int i = 0; i < 3; ++i) {
-      // The report samples curves by pixels of the small images.
-      for (const char* share : {"precision", "recall"}) {
-        EXPECT_NEAR(run.at("truth").at("all").at("rows").at(i).at(share), rows.at(i).at(share),
-                    0.005)
-            << method << ", " << share;
-      }
+  const std::string method = run.at("method");
+  std::vector<std::string> arguments = run.at("arguments");
+  if (!run.at("threshold").is_null()) {
+    const std::vector<std::string> swept = SweptOptions(method);
+    if (std::to_string(run.at("threshold").get<int>()) != swept[1]) return;
+    arguments.insert(arguments.end(), swept.begin(), swept.end());
+  }
+  const nlohmann::json rows = RowsByHand(arguments, files.at(method));
+  for (int i = 0; i < 3; ++i) {
+    // The report samples curves by pixels of the small images.
+    for (const char* share : {"precision", "recall"}) {
+      EXPECT_NEAR(run.at("truth").at("all").at("rows").at(i).at(share), rows.at(i).at(share), 0.005)
+          << method << ", " << share << ", threshold " << run.at("threshold");
     }
   }
 }
 
 TEST(QualityReport, MeasuresEveryMethod) {
   const TempDir dir;
-  const LimnRun run =
-      RunProgram(QUALITY_REPORT_PROGRAM, {"--sets", "sample-day", "--quick", "1", "--output_path",
-                                          dir.path().string(), "--max_image_size", "160"});
+  const LimnRun run = RunProgram(
+      QUALITY_REPORT_PROGRAM,
+      {"--sets", "sample-day", "--output_path", dir.path().string(), "--max_image_size", "160"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json sets = ReadJson(dir / "report.json").at("sets");
   ASSERT_EQ(sets.size(), 1u);
   EXPECT_EQ(sets[0].at("name"), "sample-day");
   EXPECT_EQ(sets[0].at("num_held_out"), 2);
   EXPECT_EQ(sets[0].at("ceiling").at("all").size(), 3u);
-  EXPECT_EQ(sets[0].at("runs").size(), 5u);
-  for (const nlohmann::json& method : sets[0].at("runs")) {
+  constexpr size_t kNumMethods = 5, kNumThresholds = 5;
+  ASSERT_EQ(sets[0].at("runs").size(), kNumMethods * (1 + kNumThresholds));
+  for (const nlohmann::json& measured : sets[0].at("runs")) ExpectFiguresOfCommand(measured);
+  for (size_t i = 0; i < kNumMethods; ++i) {  // with default options
+    const nlohmann::json& method = sets[0].at("runs")[i];
+    EXPECT_TRUE(method.at("threshold").is_null());
     const nlohmann::json& rows = method.at("truth").at("all").at("rows");
     ASSERT_EQ(rows.size(), 3u);
     EXPECT_GT(rows[1].at("precision"), 0.3) << method.at("method");
@@ -152,7 +169,6 @@ TEST(QualityReport, MeasuresEveryMethod) {
     EXPECT_GT(method.at("held_out").at("to_edgels").at("count"), 100) << method.at("method");
     EXPECT_LT(method.at("held_out").at("to_edgels").at("median_px"), 2.0) << method.at("method");
   }
-  ExpectFiguresOfCommands(sets[0].at("runs"));
   EXPECT_TRUE(std::filesystem::exists(dir / "sample-day" / "default-drawing.json"));
   EXPECT_THAT(ReadText(dir / "report.md"), HasSubstr("Circles and crossings of the truth"));
   ExpectPageOfResults(dir.path());

@@ -37,7 +37,7 @@ TEST(StageReport, TellsEveryStageAndIsComparable) {
                                   "--output_path", dir.path().string(), "--max_image_size", "160"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json report = ReadJson(dir / "report.json");
-  EXPECT_EQ(report.at("format"), "limn stages 1");
+  EXPECT_EQ(report.at("format"), "limn stages 2");
   EXPECT_EQ(report.at("commit"), "abc");
   ASSERT_EQ(report.at("sets").size(), 1u);
   const nlohmann::json& set = report.at("sets")[0];
@@ -47,7 +47,7 @@ TEST(StageReport, TellsEveryStageAndIsComparable) {
                           "outlines of smooth bodies", "primitives", "kinds of edges", "texture",
                           "short curves", "total"));
   double seconds = 0;
-  std::vector<std::string> judged;
+  std::vector<std::string> with_truth;
   for (const nlohmann::json& stage : set.at("stages")) {
     const bool is_total = stage.at("stage") == "total";
     for (const char* key : {"seconds", "cpu_seconds", "peak_mb"}) {
@@ -56,14 +56,24 @@ TEST(StageReport, TellsEveryStageAndIsComparable) {
     EXPECT_GT(stage.at("peak_mb")[1], 1) << stage;
     if (!is_total) seconds += stage.at("seconds")[1].get<double>();
     if (stage.at("truth").is_null()) continue;
-    judged.push_back(stage.at("stage"));
+    with_truth.push_back(stage.at("stage"));
     ASSERT_EQ(stage.at("truth").at("all").size(), 3u);
     EXPECT_GT(stage.at("truth").at("all")[2].at("precision"), 0.3) << stage;
   }
-  EXPECT_THAT(judged,
+  EXPECT_THAT(with_truth,
               ElementsAre("swept sketch", "drawing", "outlines of smooth bodies", "short curves"));
   EXPECT_NEAR(set.at("stages").back().at("seconds")[1].get<double>(), seconds, 1e-6);
   EXPECT_TRUE(fs::exists(dir / "report.md"));
+
+  // As a section of datasets/RESULTS.md.
+  std::ofstream(dir / "colmap.md") << "| limn over both of COLMAP's | 0.50 | 0.75 | |\n";
+  const LimnRun section = RunProgram(
+      "/usr/bin/python3", {LIMN_SOURCE_DIR "/scripts/bench/costs_section.py",
+                           (dir / "report.json").string(), (dir / "colmap.md").string()});
+  ASSERT_EQ(section.exit_code, 0) << section.err;
+  EXPECT_THAT(section.out, HasSubstr("at commit abc"));
+  EXPECT_THAT(section.out, HasSubstr("|  | sample-day |\n| --- | --- |\n| views | 24 |\n"));
+  EXPECT_THAT(section.out, HasSubstr("| limn over both of COLMAP's | 0.50 |"));
 
   // Beside itself.
   fs::create_directories(dir / "pair");
