@@ -19,9 +19,9 @@ scripts/setup.sh python3-opencv python3-matplotlib
 commit=$(git describe --always --dirty)
 rm -f build/quality{,_quick}/report.json
 scripts/stereo_worth.sh
-scripts/quality_report.sh --data_path "$data" --sets "$(present sample-day pavilion-midday vase)"
+scripts/quality_report.sh --data_path "$data" --sets "$(present sample-day pavilion-midday)"
 build/release/tests/bench/quality_report --output_path build/quality_quick --quick 1 --data_path "$data" \
-  --sets "$(present pavilion-mixed room sample-mixed bench abc-00000952 abc-00004926 herz-jesu-p8 desk book)"
+  --sets "$(present pavilion-mixed room vase sample-mixed bench abc-00000952 abc-00004926 herz-jesu-p8 desk book)"
 scripts/pose_ladder.sh --data_path "$data"
 scripts/measure_street.sh
 /usr/bin/python3 scripts/bench/false_confidence.py --limn build/release/limn --data_path "$data" --output_path build/false_confidence
