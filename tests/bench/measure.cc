@@ -130,8 +130,9 @@ Json MeasureRods(const DataSet& set, const Truth& truth, const std::vector<View>
                    options, context)) {
       report.rows.emplace_back().features.rods = scores;
     }
+    const Json json = AsJson(report);
     boxes[box.name] = Json::array();
-    for (const Json& row : AsJson(report)["rows"]) boxes[box.name].push_back(row["rods"]);
+    for (const Json& row : json["rows"]) boxes[box.name].push_back(row["rods"]);
   }
   return boxes;
 }

@@ -212,6 +212,32 @@ TEST(QualityReport, ShowsStoredResultsOfOtherPrograms) {
   EXPECT_THAT(tables, HasSubstr("option-all.ply"));
 }
 
+// The sample scene in the place of the bench, with its true curves as center lines, too.
+TEST(QualityReport, MeasuresRods) {
+  const TempDir dir;
+  const std::filesystem::path sample = LIMN_SAMPLE_DIR, bench = dir / "data/bench";
+  std::filesystem::create_directories(bench);
+  std::filesystem::copy(sample / "truth", bench / "truth");
+  std::filesystem::copy(sample / "truth/curves.ply", bench / "truth/rods.ply");
+  for (const char* folder : {"images", "sparse"}) {
+    std::filesystem::create_directory_symlink(sample / "day" / folder, bench / folder);
+  }
+  const LimnRun run =
+      RunProgram(QUALITY_REPORT_PROGRAM,
+                 {"--data_path", (dir / "data").string(), "--sets", "bench", "--quick", "1",
+                  "--output_path", (dir / "out").string(), "--max_image_size", "160"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json set = ReadJson(dir / "out/report.json").at("sets").at(0);
+  for (const nlohmann::json& method : set.at("runs")) {
+    const bool is_drawing = method.at("method").get<std::string>().ends_with("drawing");
+    ASSERT_EQ(method.at("rods").is_null(), !is_drawing) << method.at("method");
+    if (!is_drawing) continue;
+    ASSERT_EQ(method.at("rods").at("all").size(), 3u);
+    EXPECT_GT(method.at("rods").at("all").at(1).at("true_length"), 10);  // m
+  }
+  EXPECT_THAT(ReadText(dir / "out/report.md"), HasSubstr("| default drawing | all | "));
+}
+
 TEST(QualityReport, RefusesUnknownSets) {
   const TempDir dir;
   const LimnRun run =
