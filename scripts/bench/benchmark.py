@@ -100,7 +100,8 @@ def draw_all(name):
 SECTION = """## The benchmark
 
 Written by `scripts/benchmark.sh methods` at {version}. Cells: precision / recall / F at 2 pixel footprints, in percent (footprints of `exact`), and
-CPU seconds of the run; the two methods of `scripts/paper.ini` share one. The default refines the cameras, the paper's methods take them as they are. What the rungs are: [datasets/README.md](README.md#as-a-benchmark).
+CPU seconds of the run; the two methods of `scripts/paper.ini` share one. The default refines the cameras, the paper's methods take them as they are.
+What the rungs are: [datasets/README.md](README.md#as-a-benchmark).
 
 """
 

@@ -60,7 +60,7 @@ def version_of(limn):
 def draw(arguments, scene, folder, options):
     """The log of a run; made once for a program, a seed and options."""
     log = folder / "log"
-    made_by = f"{version_of(arguments.limn)}, seed {arguments.seed}, options: {' '.join(options)}\n"
+    made_by = f"{arguments.version}, seed {arguments.seed}, options: {' '.join(options)}\n"
     if not log.exists() or not log.read_text().startswith(made_by):
         shutil.rmtree(folder, ignore_errors=True)
         write_workspace(scene, folder)
@@ -120,6 +120,7 @@ def main():
     parser.add_argument("--only", nargs="+", default=["*"])
     parser.add_argument("--seed", type=int, default=1)
     arguments, options = parser.parse_known_args()
+    arguments.version = version_of(arguments.limn)
     outcomes = []
     rows = ["| scene | cameras | misplaced | outcome | warnings |", "|---|---|---|---|---|"]
     known = {scene.name: scene for scene in scenes(ROOT / "datasets/sample", arguments.data_path, arguments.seed)}
@@ -135,7 +136,7 @@ def main():
         rows.append(f"| {scene.name} | {kind} | {numbers} | {outcome} | {texts} |")
         print(rows[-1], flush=True)
     (arguments.output_path / "false_confidence.md").write_text("\n".join(rows) + "\n")
-    (arguments.output_path / "section.md").write_text(section(version_of(arguments.limn), MAX_IMAGE_SIZE, outcomes))
+    (arguments.output_path / "section.md").write_text(section(arguments.version, MAX_IMAGE_SIZE, outcomes))
 
 
 if __name__ == "__main__":

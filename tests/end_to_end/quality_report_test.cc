@@ -179,21 +179,29 @@ void WriteText(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path) << text;
 }
 
+void AddSamplePhotographs(const std::filesystem::path& data_set) {
+  std::filesystem::create_directories(data_set);
+  for (const char* folder : {"images", "sparse"}) {
+    std::filesystem::create_directory_symlink(
+        std::filesystem::path(LIMN_SAMPLE_DIR) / "day" / folder, data_set / folder);
+  }
+}
+
+// A data set of <dir>/data, to <dir>/out.
+LimnRun MeasureQuickly(const TempDir& dir, const std::string& set) {
+  return RunProgram(QUALITY_REPORT_PROGRAM,
+                    {"--data_path", (dir / "data").string(), "--sets", set, "--quick", "1",
+                     "--output_path", (dir / "out").string(), "--max_image_size", "160"});
+}
+
 // The sample scene's photographs in the place of the vase, with a truth of points and the result of
 // one of the two programs.
 TEST(QualityReport, ShowsStoredResultsOfOtherPrograms) {
   const TempDir dir;
-  const std::filesystem::path sample = std::filesystem::path(LIMN_SAMPLE_DIR) / "day";
-  std::filesystem::create_directories(dir / "data/vase");
-  for (const char* folder : {"images", "sparse"}) {
-    std::filesystem::create_directory_symlink(sample / folder, dir / "data/vase" / folder);
-  }
+  AddSamplePhotographs(dir / "data/vase");
   WriteText(dir / "data/vase/ground_truth/vase-edge-gt3-017.txt.gz", "0 0 0\n0.1 0 0\n0.2 0 0\n");
   WriteText(dir / "data/peers/line3dpp-vase.obj.gz", "v 0 0 0\nv 0.1 0 0\nl 1 2\n");
-  const LimnRun run =
-      RunProgram(QUALITY_REPORT_PROGRAM,
-                 {"--data_path", (dir / "data").string(), "--sets", "vase", "--quick", "1",
-                  "--output_path", (dir / "out").string(), "--max_image_size", "160"});
+  const LimnRun run = MeasureQuickly(dir, "vase");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json set = ReadJson(dir / "out/report.json").at("sets").at(0);
   ASSERT_EQ(set.at("peers").size(), 1u);
@@ -216,16 +224,10 @@ TEST(QualityReport, ShowsStoredResultsOfOtherPrograms) {
 TEST(QualityReport, MeasuresRods) {
   const TempDir dir;
   const std::filesystem::path sample = LIMN_SAMPLE_DIR, bench = dir / "data/bench";
-  std::filesystem::create_directories(bench);
+  AddSamplePhotographs(bench);
   std::filesystem::copy(sample / "truth", bench / "truth");
   std::filesystem::copy(sample / "truth/curves.ply", bench / "truth/rods.ply");
-  for (const char* folder : {"images", "sparse"}) {
-    std::filesystem::create_directory_symlink(sample / "day" / folder, bench / folder);
-  }
-  const LimnRun run =
-      RunProgram(QUALITY_REPORT_PROGRAM,
-                 {"--data_path", (dir / "data").string(), "--sets", "bench", "--quick", "1",
-                  "--output_path", (dir / "out").string(), "--max_image_size", "160"});
+  const LimnRun run = MeasureQuickly(dir, "bench");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json set = ReadJson(dir / "out/report.json").at("sets").at(0);
   for (const nlohmann::json& method : set.at("runs")) {

@@ -21,8 +21,8 @@ constexpr size_t kTangentReach = 3;
 // Weight of offsets along the curve: they only keep the ends in place.
 constexpr double kAlongWeight = 0.1;
 
-// Nobody but its supporting views, or else those that show a point, can tell how it moves: a camera
-// that looks aside may be arbitrarily near to it.
+// The supporting views, or those that show the point if there are none: a camera that looks aside
+// may be arbitrarily near to it.
 std::vector<ViewId> ViewsOf(const DrawingLink& link, const Eigen::Vector3d& point,
                             const std::vector<View>& views) {
   if (!link.supporting_views.empty()) return link.supporting_views;

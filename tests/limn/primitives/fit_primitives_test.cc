@@ -234,7 +234,7 @@ TEST(FitPrimitives, ShapesThatLeaveTheirLinksAreNone) {
     link.supporting_views.push_back(static_cast<ViewId>(views.size()) - 1);
   }
   const PrimitiveResult result = FitPrimitives(graph, views, {}, {});
-  // It looks where they are.
+  // Also looks where the shapes are.
   EXPECT_THAT(Validate(result.graph), ::testing::IsEmpty());
   const int num_without = Describe(result.graph).kinds.back().count;
   EXPECT_GT(num_without, 0);
